@@ -39,6 +39,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_30 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -48,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_27 {
+struct type_34 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -60,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_31 {
+struct type_38 {
     member: array<abi_Vertex>,
 }
 
@@ -72,11 +92,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_35 {
+struct type_42 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -90,28 +123,8 @@ struct texture_Axis {
     fraction: f32,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_45 {
+struct type_53 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_50 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -129,29 +142,17 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_31;
+var<storage> vertices: type_38;
 @group(0) @binding(4) 
-var<storage> materials: type_35;
+var<storage> materials: type_42;
 @group(0) @binding(0) 
-var<uniform> p: type_45;
+var<uniform> p: type_53;
 @group(0) @binding(1) 
-var<storage> nodes: type_50;
+var<storage> nodes: type_30;
 @group(0) @binding(2) 
-var<storage> triangles: type_27;
+var<storage> triangles: type_34;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
@@ -193,401 +194,401 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_265_: f32;
-    var phi_270_: f32;
-    var phi_271_: bool;
-    var phi_272_: f32;
-    var phi_273_: bool;
-    var phi_277_: f32;
-    var phi_303_: f32;
-    var phi_308_: f32;
-    var phi_309_: bool;
-    var phi_310_: f32;
-    var phi_311_: bool;
-    var phi_315_: f32;
-    var phi_323_: f32;
-    var phi_324_: f32;
-    var phi_325_: f32;
-    var phi_334_: f32;
-    var phi_335_: f32;
-    var phi_353_: u32;
-    var phi_367_: u32;
-    var phi_374_: u32;
-    var phi_379_: u32;
-    var phi_385_: u32;
-    var phi_390_: u32;
-    var phi_392_: texture_Axis;
-    var phi_420_: f32;
-    var phi_425_: f32;
-    var phi_426_: bool;
-    var phi_427_: f32;
-    var phi_428_: bool;
-    var phi_432_: f32;
-    var phi_458_: f32;
-    var phi_463_: f32;
-    var phi_464_: bool;
-    var phi_465_: f32;
-    var phi_466_: bool;
-    var phi_470_: f32;
-    var phi_478_: f32;
-    var phi_479_: f32;
-    var phi_480_: f32;
-    var phi_489_: f32;
-    var phi_490_: f32;
-    var phi_508_: u32;
-    var phi_522_: u32;
-    var phi_529_: u32;
-    var phi_534_: u32;
-    var phi_540_: u32;
-    var phi_545_: u32;
-    var phi_547_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_235_: bool;
+    var phi_239_: f32;
 
-    let _e74 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_235_ = true;
+    } else {
+        let _e73 = (param_4 >= param_3);
+        if _e73 {
+        }
+        phi_235_ = _e73;
+    }
+    let _e75 = phi_235_;
+    if _e75 {
+        phi_239_ = param_4;
+    } else {
+        phi_239_ = param_3;
+    }
+    let _e77 = phi_239_;
+    return _e77;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_251_: bool;
+    var phi_255_: f32;
+
+    if (param_5 != param_5) {
+        phi_251_ = true;
+    } else {
+        let _e73 = (param_6 <= param_5);
+        if _e73 {
+        }
+        phi_251_ = _e73;
+    }
+    let _e75 = phi_251_;
+    if _e75 {
+        phi_255_ = param_6;
+    } else {
+        phi_255_ = param_5;
+    }
+    let _e77 = phi_255_;
+    return _e77;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_297_: f32;
+    var phi_302_: f32;
+    var phi_303_: bool;
+    var phi_304_: f32;
+    var phi_305_: bool;
+    var phi_309_: f32;
+    var phi_335_: f32;
+    var phi_340_: f32;
+    var phi_341_: bool;
+    var phi_342_: f32;
+    var phi_343_: bool;
+    var phi_347_: f32;
+    var phi_355_: f32;
+    var phi_356_: f32;
+    var phi_357_: f32;
+    var phi_366_: f32;
+    var phi_367_: f32;
+    var phi_385_: u32;
+    var phi_399_: u32;
+    var phi_406_: u32;
+    var phi_411_: u32;
+    var phi_417_: u32;
+    var phi_422_: u32;
+    var phi_424_: texture_Axis;
+    var phi_452_: f32;
+    var phi_457_: f32;
+    var phi_458_: bool;
+    var phi_459_: f32;
+    var phi_460_: bool;
+    var phi_464_: f32;
+    var phi_490_: f32;
+    var phi_495_: f32;
+    var phi_496_: bool;
+    var phi_497_: f32;
+    var phi_498_: bool;
+    var phi_502_: f32;
+    var phi_510_: f32;
+    var phi_511_: f32;
+    var phi_512_: f32;
+    var phi_521_: f32;
+    var phi_522_: f32;
+    var phi_540_: u32;
+    var phi_554_: u32;
+    var phi_561_: u32;
+    var phi_566_: u32;
+    var phi_572_: u32;
+    var phi_577_: u32;
+    var phi_579_: texture_Axis;
+
+    let _e74 = (*param_7).size;
     let _e75 = (_e74 & 65535u);
-    let _e77 = (*param_3).size;
+    let _e77 = (*param_7).size;
     let _e79 = (_e77 >> bitcast<u32>(16i));
-    let _e81 = (*param_3).flags;
+    let _e81 = (*param_7).flags;
     let _e83 = ((_e81 & 4u) != 0u);
-    let _e85 = (*param_3).flags;
+    let _e85 = (*param_7).flags;
     let _e88 = ((_e85 >> bitcast<u32>(4u)) & 3u);
     if (_e88 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e101 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e101 > param_4) {
-                phi_265_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e101 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e101 > param_8) {
+                phi_297_ = 1f;
             } else {
-                phi_265_ = 0f;
+                phi_297_ = 0f;
             }
-            let _e104 = phi_265_;
-            if (param_4 < 8388608f) {
-                phi_270_ = (_e101 - _e104);
-                phi_271_ = false;
+            let _e104 = phi_297_;
+            if (param_8 < 8388608f) {
+                phi_302_ = (_e101 - _e104);
+                phi_303_ = false;
             } else {
-                phi_270_ = f32();
-                phi_271_ = true;
+                phi_302_ = f32();
+                phi_303_ = true;
             }
-            let _e107 = phi_270_;
-            let _e109 = phi_271_;
-            phi_272_ = _e107;
-            phi_273_ = _e109;
+            let _e107 = phi_302_;
+            let _e109 = phi_303_;
+            phi_304_ = _e107;
+            phi_305_ = _e109;
         } else {
-            phi_272_ = f32();
-            phi_273_ = true;
+            phi_304_ = f32();
+            phi_305_ = true;
         }
-        let _e111 = phi_272_;
-        let _e113 = phi_273_;
+        let _e111 = phi_304_;
+        let _e113 = phi_305_;
         if _e113 {
-            phi_277_ = param_4;
+            phi_309_ = param_8;
         } else {
-            phi_277_ = _e111;
+            phi_309_ = _e111;
         }
-        let _e115 = phi_277_;
-        phi_325_ = (param_4 - _e115);
+        let _e115 = phi_309_;
+        phi_357_ = (param_8 - _e115);
     } else {
         if (_e88 == 1u) {
-            let _e118 = (param_4 * 0.5f);
+            let _e118 = (param_8 * 0.5f);
             if (_e118 > -8388608f) {
                 let _e130 = f32(select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)));
                 if (_e130 > _e118) {
-                    phi_303_ = 1f;
+                    phi_335_ = 1f;
                 } else {
-                    phi_303_ = 0f;
+                    phi_335_ = 0f;
                 }
-                let _e133 = phi_303_;
+                let _e133 = phi_335_;
                 if (_e118 < 8388608f) {
-                    phi_308_ = (_e130 - _e133);
-                    phi_309_ = false;
+                    phi_340_ = (_e130 - _e133);
+                    phi_341_ = false;
                 } else {
-                    phi_308_ = f32();
-                    phi_309_ = true;
+                    phi_340_ = f32();
+                    phi_341_ = true;
                 }
-                let _e136 = phi_308_;
-                let _e138 = phi_309_;
-                phi_310_ = _e136;
-                phi_311_ = _e138;
+                let _e136 = phi_340_;
+                let _e138 = phi_341_;
+                phi_342_ = _e136;
+                phi_343_ = _e138;
             } else {
-                phi_310_ = f32();
-                phi_311_ = true;
+                phi_342_ = f32();
+                phi_343_ = true;
             }
-            let _e140 = phi_310_;
-            let _e142 = phi_311_;
+            let _e140 = phi_342_;
+            let _e142 = phi_343_;
             if _e142 {
-                phi_315_ = _e118;
+                phi_347_ = _e118;
             } else {
-                phi_315_ = _e140;
+                phi_347_ = _e140;
             }
-            let _e144 = phi_315_;
-            let _e146 = (param_4 - (2f * _e144));
+            let _e144 = phi_347_;
+            let _e146 = (param_8 - (2f * _e144));
             if (_e146 > 1f) {
-                phi_323_ = (2f - _e146);
+                phi_355_ = (2f - _e146);
             } else {
-                phi_323_ = _e146;
+                phi_355_ = _e146;
             }
-            let _e150 = phi_323_;
-            phi_324_ = _e150;
+            let _e150 = phi_355_;
+            phi_356_ = _e150;
         } else {
-            phi_324_ = param_4;
+            phi_356_ = param_8;
         }
-        let _e152 = phi_324_;
-        phi_325_ = _e152;
+        let _e152 = phi_356_;
+        phi_357_ = _e152;
     }
-    let _e154 = phi_325_;
+    let _e154 = phi_357_;
     if (_e154 > 0f) {
         if (_e154 < 1f) {
-            phi_334_ = _e154;
+            phi_366_ = _e154;
         } else {
-            phi_334_ = 1f;
+            phi_366_ = 1f;
         }
-        let _e158 = phi_334_;
-        phi_335_ = _e158;
+        let _e158 = phi_366_;
+        phi_367_ = _e158;
     } else {
-        phi_335_ = 0f;
+        phi_367_ = 0f;
     }
-    let _e160 = phi_335_;
+    let _e160 = phi_367_;
     let _e161 = (_e75 - 1u);
     let _e163 = (_e160 * f32(_e75));
     if _e83 {
         let _e170 = select(select(u32(_e163), 0u, (_e163 < bitcast<f32>(0u))), 4294967295u, (_e163 > bitcast<f32>(1333788671u)));
         if (_e161 < _e170) {
-            phi_353_ = _e161;
+            phi_385_ = _e161;
         } else {
-            phi_353_ = _e170;
+            phi_385_ = _e170;
         }
-        let _e173 = phi_353_;
-        phi_392_ = texture_Axis(_e173, _e173, 0f);
+        let _e173 = phi_385_;
+        phi_424_ = texture_Axis(_e173, _e173, 0f);
     } else {
         let _e175 = (_e163 + 0.5f);
         let _e182 = select(select(u32(_e175), 0u, (_e175 < bitcast<f32>(0u))), 4294967295u, (_e175 > bitcast<f32>(1333788671u)));
         if (_e75 < _e182) {
-            phi_367_ = _e75;
+            phi_399_ = _e75;
         } else {
-            phi_367_ = _e182;
+            phi_399_ = _e182;
         }
-        let _e185 = phi_367_;
+        let _e185 = phi_399_;
         if (_e88 == 0u) {
-            phi_374_ = _e161;
+            phi_406_ = _e161;
         } else {
-            phi_374_ = 0u;
+            phi_406_ = 0u;
         }
-        let _e190 = phi_374_;
+        let _e190 = phi_406_;
         if (_e88 == 0u) {
-            phi_379_ = 0u;
+            phi_411_ = 0u;
         } else {
-            phi_379_ = _e161;
+            phi_411_ = _e161;
         }
-        let _e193 = phi_379_;
+        let _e193 = phi_411_;
         if (_e185 == 0u) {
-            phi_385_ = _e190;
+            phi_417_ = _e190;
         } else {
-            phi_385_ = (_e185 - 1u);
+            phi_417_ = (_e185 - 1u);
         }
-        let _e197 = phi_385_;
+        let _e197 = phi_417_;
         if (_e185 > _e161) {
-            phi_390_ = _e193;
+            phi_422_ = _e193;
         } else {
-            phi_390_ = _e185;
+            phi_422_ = _e185;
         }
-        let _e200 = phi_390_;
-        phi_392_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
+        let _e200 = phi_422_;
+        phi_424_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
     }
-    let _e203 = phi_392_;
-    let _e205 = (*param_3).flags;
+    let _e203 = phi_424_;
+    let _e205 = (*param_7).flags;
     let _e208 = ((_e205 >> bitcast<u32>(6u)) & 3u);
     if (_e208 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e221 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e221 > param_5) {
-                phi_420_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e221 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e221 > param_9) {
+                phi_452_ = 1f;
             } else {
-                phi_420_ = 0f;
+                phi_452_ = 0f;
             }
-            let _e224 = phi_420_;
-            if (param_5 < 8388608f) {
-                phi_425_ = (_e221 - _e224);
-                phi_426_ = false;
+            let _e224 = phi_452_;
+            if (param_9 < 8388608f) {
+                phi_457_ = (_e221 - _e224);
+                phi_458_ = false;
             } else {
-                phi_425_ = f32();
-                phi_426_ = true;
+                phi_457_ = f32();
+                phi_458_ = true;
             }
-            let _e227 = phi_425_;
-            let _e229 = phi_426_;
-            phi_427_ = _e227;
-            phi_428_ = _e229;
+            let _e227 = phi_457_;
+            let _e229 = phi_458_;
+            phi_459_ = _e227;
+            phi_460_ = _e229;
         } else {
-            phi_427_ = f32();
-            phi_428_ = true;
+            phi_459_ = f32();
+            phi_460_ = true;
         }
-        let _e231 = phi_427_;
-        let _e233 = phi_428_;
+        let _e231 = phi_459_;
+        let _e233 = phi_460_;
         if _e233 {
-            phi_432_ = param_5;
+            phi_464_ = param_9;
         } else {
-            phi_432_ = _e231;
+            phi_464_ = _e231;
         }
-        let _e235 = phi_432_;
-        phi_480_ = (param_5 - _e235);
+        let _e235 = phi_464_;
+        phi_512_ = (param_9 - _e235);
     } else {
         if (_e208 == 1u) {
-            let _e238 = (param_5 * 0.5f);
+            let _e238 = (param_9 * 0.5f);
             if (_e238 > -8388608f) {
                 let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
                 if (_e250 > _e238) {
-                    phi_458_ = 1f;
+                    phi_490_ = 1f;
                 } else {
-                    phi_458_ = 0f;
+                    phi_490_ = 0f;
                 }
-                let _e253 = phi_458_;
+                let _e253 = phi_490_;
                 if (_e238 < 8388608f) {
-                    phi_463_ = (_e250 - _e253);
-                    phi_464_ = false;
+                    phi_495_ = (_e250 - _e253);
+                    phi_496_ = false;
                 } else {
-                    phi_463_ = f32();
-                    phi_464_ = true;
+                    phi_495_ = f32();
+                    phi_496_ = true;
                 }
-                let _e256 = phi_463_;
-                let _e258 = phi_464_;
-                phi_465_ = _e256;
-                phi_466_ = _e258;
+                let _e256 = phi_495_;
+                let _e258 = phi_496_;
+                phi_497_ = _e256;
+                phi_498_ = _e258;
             } else {
-                phi_465_ = f32();
-                phi_466_ = true;
+                phi_497_ = f32();
+                phi_498_ = true;
             }
-            let _e260 = phi_465_;
-            let _e262 = phi_466_;
+            let _e260 = phi_497_;
+            let _e262 = phi_498_;
             if _e262 {
-                phi_470_ = _e238;
+                phi_502_ = _e238;
             } else {
-                phi_470_ = _e260;
+                phi_502_ = _e260;
             }
-            let _e264 = phi_470_;
-            let _e266 = (param_5 - (2f * _e264));
+            let _e264 = phi_502_;
+            let _e266 = (param_9 - (2f * _e264));
             if (_e266 > 1f) {
-                phi_478_ = (2f - _e266);
+                phi_510_ = (2f - _e266);
             } else {
-                phi_478_ = _e266;
+                phi_510_ = _e266;
             }
-            let _e270 = phi_478_;
-            phi_479_ = _e270;
+            let _e270 = phi_510_;
+            phi_511_ = _e270;
         } else {
-            phi_479_ = param_5;
+            phi_511_ = param_9;
         }
-        let _e272 = phi_479_;
-        phi_480_ = _e272;
+        let _e272 = phi_511_;
+        phi_512_ = _e272;
     }
-    let _e274 = phi_480_;
+    let _e274 = phi_512_;
     if (_e274 > 0f) {
         if (_e274 < 1f) {
-            phi_489_ = _e274;
+            phi_521_ = _e274;
         } else {
-            phi_489_ = 1f;
+            phi_521_ = 1f;
         }
-        let _e278 = phi_489_;
-        phi_490_ = _e278;
+        let _e278 = phi_521_;
+        phi_522_ = _e278;
     } else {
-        phi_490_ = 0f;
+        phi_522_ = 0f;
     }
-    let _e280 = phi_490_;
+    let _e280 = phi_522_;
     let _e281 = (_e79 - 1u);
     let _e283 = (_e280 * f32(_e79));
     if _e83 {
         let _e290 = select(select(u32(_e283), 0u, (_e283 < bitcast<f32>(0u))), 4294967295u, (_e283 > bitcast<f32>(1333788671u)));
         if (_e281 < _e290) {
-            phi_508_ = _e281;
+            phi_540_ = _e281;
         } else {
-            phi_508_ = _e290;
+            phi_540_ = _e290;
         }
-        let _e293 = phi_508_;
-        phi_547_ = texture_Axis(_e293, _e293, 0f);
+        let _e293 = phi_540_;
+        phi_579_ = texture_Axis(_e293, _e293, 0f);
     } else {
         let _e295 = (_e283 + 0.5f);
         let _e302 = select(select(u32(_e295), 0u, (_e295 < bitcast<f32>(0u))), 4294967295u, (_e295 > bitcast<f32>(1333788671u)));
         if (_e79 < _e302) {
-            phi_522_ = _e79;
+            phi_554_ = _e79;
         } else {
-            phi_522_ = _e302;
+            phi_554_ = _e302;
         }
-        let _e305 = phi_522_;
+        let _e305 = phi_554_;
         if (_e208 == 0u) {
-            phi_529_ = _e281;
+            phi_561_ = _e281;
         } else {
-            phi_529_ = 0u;
+            phi_561_ = 0u;
         }
-        let _e310 = phi_529_;
+        let _e310 = phi_561_;
         if (_e208 == 0u) {
-            phi_534_ = 0u;
+            phi_566_ = 0u;
         } else {
-            phi_534_ = _e281;
+            phi_566_ = _e281;
         }
-        let _e313 = phi_534_;
+        let _e313 = phi_566_;
         if (_e305 == 0u) {
-            phi_540_ = _e310;
+            phi_572_ = _e310;
         } else {
-            phi_540_ = (_e305 - 1u);
+            phi_572_ = (_e305 - 1u);
         }
-        let _e317 = phi_540_;
+        let _e317 = phi_572_;
         if (_e305 > _e281) {
-            phi_545_ = _e313;
+            phi_577_ = _e313;
         } else {
-            phi_545_ = _e305;
+            phi_577_ = _e305;
         }
-        let _e320 = phi_545_;
-        phi_547_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
+        let _e320 = phi_577_;
+        phi_579_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
     }
-    let _e323 = phi_547_;
-    let _e327 = (*param_3).offset;
-    let _e334 = (*param_3).offset;
-    let _e341 = (*param_3).offset;
-    let _e348 = (*param_3).offset;
+    let _e323 = phi_579_;
+    let _e327 = (*param_7).offset;
+    let _e334 = (*param_7).offset;
+    let _e341 = (*param_7).offset;
+    let _e348 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e327 + (_e323.low * _e75)) + _e203.low), ((_e334 + (_e323.low * _e75)) + _e203.high), ((_e341 + (_e323.high * _e75)) + _e203.low), ((_e348 + (_e323.high * _e75)) + _e203.high)), vec4<f32>(((1f - _e203.fraction) * (1f - _e323.fraction)), (_e203.fraction * (1f - _e323.fraction)), ((1f - _e203.fraction) * _e323.fraction), (_e203.fraction * _e323.fraction)));
 }
 
-fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_610_: bool;
-    var phi_614_: f32;
-
-    if (param_8 != param_8) {
-        phi_610_ = true;
-    } else {
-        let _e73 = (param_9 >= param_8);
-        if _e73 {
-        }
-        phi_610_ = _e73;
-    }
-    let _e75 = phi_610_;
-    if _e75 {
-        phi_614_ = param_9;
-    } else {
-        phi_614_ = param_8;
-    }
-    let _e77 = phi_614_;
-    return _e77;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_626_: bool;
-    var phi_630_: f32;
-
-    if (param_10 != param_10) {
-        phi_626_ = true;
-    } else {
-        let _e73 = (param_11 <= param_10);
-        if _e73 {
-        }
-        phi_626_ = _e73;
-    }
-    let _e75 = phi_626_;
-    if _e75 {
-        phi_630_ = param_11;
-    } else {
-        phi_630_ = param_10;
-    }
-    let _e77 = phi_630_;
-    return _e77;
+fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_10, 0f, param_11, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {

@@ -43,6 +43,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -52,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_32 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -64,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_36 {
+struct type_43 {
     member: array<abi_Vertex>,
 }
 
@@ -76,11 +96,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_40 {
+struct type_47 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -94,28 +127,8 @@ struct texture_Axis {
     fraction: f32,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_50 {
+struct type_58 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_55 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -133,29 +146,17 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_36;
+var<storage> vertices: type_43;
 @group(0) @binding(4) 
-var<storage> materials: type_40;
+var<storage> materials: type_47;
 @group(0) @binding(0) 
-var<uniform> p: type_50;
+var<uniform> p: type_58;
 @group(0) @binding(1) 
-var<storage> nodes: type_55;
+var<storage> nodes: type_35;
 @group(0) @binding(2) 
-var<storage> triangles: type_32;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
@@ -201,401 +202,401 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e96.root, _e96.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_273_: f32;
-    var phi_278_: f32;
-    var phi_279_: bool;
-    var phi_280_: f32;
-    var phi_281_: bool;
-    var phi_285_: f32;
-    var phi_311_: f32;
-    var phi_316_: f32;
-    var phi_317_: bool;
-    var phi_318_: f32;
-    var phi_319_: bool;
-    var phi_323_: f32;
-    var phi_331_: f32;
-    var phi_332_: f32;
-    var phi_333_: f32;
-    var phi_342_: f32;
-    var phi_343_: f32;
-    var phi_361_: u32;
-    var phi_375_: u32;
-    var phi_382_: u32;
-    var phi_387_: u32;
-    var phi_393_: u32;
-    var phi_398_: u32;
-    var phi_400_: texture_Axis;
-    var phi_428_: f32;
-    var phi_433_: f32;
-    var phi_434_: bool;
-    var phi_435_: f32;
-    var phi_436_: bool;
-    var phi_440_: f32;
-    var phi_466_: f32;
-    var phi_471_: f32;
-    var phi_472_: bool;
-    var phi_473_: f32;
-    var phi_474_: bool;
-    var phi_478_: f32;
-    var phi_486_: f32;
-    var phi_487_: f32;
-    var phi_488_: f32;
-    var phi_497_: f32;
-    var phi_498_: f32;
-    var phi_516_: u32;
-    var phi_530_: u32;
-    var phi_537_: u32;
-    var phi_542_: u32;
-    var phi_548_: u32;
-    var phi_553_: u32;
-    var phi_555_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_243_: bool;
+    var phi_247_: f32;
 
-    let _e76 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_243_ = true;
+    } else {
+        let _e75 = (param_4 >= param_3);
+        if _e75 {
+        }
+        phi_243_ = _e75;
+    }
+    let _e77 = phi_243_;
+    if _e77 {
+        phi_247_ = param_4;
+    } else {
+        phi_247_ = param_3;
+    }
+    let _e79 = phi_247_;
+    return _e79;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_259_: bool;
+    var phi_263_: f32;
+
+    if (param_5 != param_5) {
+        phi_259_ = true;
+    } else {
+        let _e75 = (param_6 <= param_5);
+        if _e75 {
+        }
+        phi_259_ = _e75;
+    }
+    let _e77 = phi_259_;
+    if _e77 {
+        phi_263_ = param_6;
+    } else {
+        phi_263_ = param_5;
+    }
+    let _e79 = phi_263_;
+    return _e79;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_305_: f32;
+    var phi_310_: f32;
+    var phi_311_: bool;
+    var phi_312_: f32;
+    var phi_313_: bool;
+    var phi_317_: f32;
+    var phi_343_: f32;
+    var phi_348_: f32;
+    var phi_349_: bool;
+    var phi_350_: f32;
+    var phi_351_: bool;
+    var phi_355_: f32;
+    var phi_363_: f32;
+    var phi_364_: f32;
+    var phi_365_: f32;
+    var phi_374_: f32;
+    var phi_375_: f32;
+    var phi_393_: u32;
+    var phi_407_: u32;
+    var phi_414_: u32;
+    var phi_419_: u32;
+    var phi_425_: u32;
+    var phi_430_: u32;
+    var phi_432_: texture_Axis;
+    var phi_460_: f32;
+    var phi_465_: f32;
+    var phi_466_: bool;
+    var phi_467_: f32;
+    var phi_468_: bool;
+    var phi_472_: f32;
+    var phi_498_: f32;
+    var phi_503_: f32;
+    var phi_504_: bool;
+    var phi_505_: f32;
+    var phi_506_: bool;
+    var phi_510_: f32;
+    var phi_518_: f32;
+    var phi_519_: f32;
+    var phi_520_: f32;
+    var phi_529_: f32;
+    var phi_530_: f32;
+    var phi_548_: u32;
+    var phi_562_: u32;
+    var phi_569_: u32;
+    var phi_574_: u32;
+    var phi_580_: u32;
+    var phi_585_: u32;
+    var phi_587_: texture_Axis;
+
+    let _e76 = (*param_7).size;
     let _e77 = (_e76 & 65535u);
-    let _e79 = (*param_3).size;
+    let _e79 = (*param_7).size;
     let _e81 = (_e79 >> bitcast<u32>(16i));
-    let _e83 = (*param_3).flags;
+    let _e83 = (*param_7).flags;
     let _e85 = ((_e83 & 4u) != 0u);
-    let _e87 = (*param_3).flags;
+    let _e87 = (*param_7).flags;
     let _e90 = ((_e87 >> bitcast<u32>(4u)) & 3u);
     if (_e90 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e103 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e103 > param_4) {
-                phi_273_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e103 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e103 > param_8) {
+                phi_305_ = 1f;
             } else {
-                phi_273_ = 0f;
+                phi_305_ = 0f;
             }
-            let _e106 = phi_273_;
-            if (param_4 < 8388608f) {
-                phi_278_ = (_e103 - _e106);
-                phi_279_ = false;
+            let _e106 = phi_305_;
+            if (param_8 < 8388608f) {
+                phi_310_ = (_e103 - _e106);
+                phi_311_ = false;
             } else {
-                phi_278_ = f32();
-                phi_279_ = true;
+                phi_310_ = f32();
+                phi_311_ = true;
             }
-            let _e109 = phi_278_;
-            let _e111 = phi_279_;
-            phi_280_ = _e109;
-            phi_281_ = _e111;
+            let _e109 = phi_310_;
+            let _e111 = phi_311_;
+            phi_312_ = _e109;
+            phi_313_ = _e111;
         } else {
-            phi_280_ = f32();
-            phi_281_ = true;
+            phi_312_ = f32();
+            phi_313_ = true;
         }
-        let _e113 = phi_280_;
-        let _e115 = phi_281_;
+        let _e113 = phi_312_;
+        let _e115 = phi_313_;
         if _e115 {
-            phi_285_ = param_4;
+            phi_317_ = param_8;
         } else {
-            phi_285_ = _e113;
+            phi_317_ = _e113;
         }
-        let _e117 = phi_285_;
-        phi_333_ = (param_4 - _e117);
+        let _e117 = phi_317_;
+        phi_365_ = (param_8 - _e117);
     } else {
         if (_e90 == 1u) {
-            let _e120 = (param_4 * 0.5f);
+            let _e120 = (param_8 * 0.5f);
             if (_e120 > -8388608f) {
                 let _e132 = f32(select(0i, select(select(i32(_e120), i32(-2147483648), (_e120 < bitcast<f32>(3472883712u))), 2147483647i, (_e120 > bitcast<f32>(1325400063u))), (_e120 == _e120)));
                 if (_e132 > _e120) {
-                    phi_311_ = 1f;
+                    phi_343_ = 1f;
                 } else {
-                    phi_311_ = 0f;
+                    phi_343_ = 0f;
                 }
-                let _e135 = phi_311_;
+                let _e135 = phi_343_;
                 if (_e120 < 8388608f) {
-                    phi_316_ = (_e132 - _e135);
-                    phi_317_ = false;
+                    phi_348_ = (_e132 - _e135);
+                    phi_349_ = false;
                 } else {
-                    phi_316_ = f32();
-                    phi_317_ = true;
+                    phi_348_ = f32();
+                    phi_349_ = true;
                 }
-                let _e138 = phi_316_;
-                let _e140 = phi_317_;
-                phi_318_ = _e138;
-                phi_319_ = _e140;
+                let _e138 = phi_348_;
+                let _e140 = phi_349_;
+                phi_350_ = _e138;
+                phi_351_ = _e140;
             } else {
-                phi_318_ = f32();
-                phi_319_ = true;
+                phi_350_ = f32();
+                phi_351_ = true;
             }
-            let _e142 = phi_318_;
-            let _e144 = phi_319_;
+            let _e142 = phi_350_;
+            let _e144 = phi_351_;
             if _e144 {
-                phi_323_ = _e120;
+                phi_355_ = _e120;
             } else {
-                phi_323_ = _e142;
+                phi_355_ = _e142;
             }
-            let _e146 = phi_323_;
-            let _e148 = (param_4 - (2f * _e146));
+            let _e146 = phi_355_;
+            let _e148 = (param_8 - (2f * _e146));
             if (_e148 > 1f) {
-                phi_331_ = (2f - _e148);
+                phi_363_ = (2f - _e148);
             } else {
-                phi_331_ = _e148;
+                phi_363_ = _e148;
             }
-            let _e152 = phi_331_;
-            phi_332_ = _e152;
+            let _e152 = phi_363_;
+            phi_364_ = _e152;
         } else {
-            phi_332_ = param_4;
+            phi_364_ = param_8;
         }
-        let _e154 = phi_332_;
-        phi_333_ = _e154;
+        let _e154 = phi_364_;
+        phi_365_ = _e154;
     }
-    let _e156 = phi_333_;
+    let _e156 = phi_365_;
     if (_e156 > 0f) {
         if (_e156 < 1f) {
-            phi_342_ = _e156;
+            phi_374_ = _e156;
         } else {
-            phi_342_ = 1f;
+            phi_374_ = 1f;
         }
-        let _e160 = phi_342_;
-        phi_343_ = _e160;
+        let _e160 = phi_374_;
+        phi_375_ = _e160;
     } else {
-        phi_343_ = 0f;
+        phi_375_ = 0f;
     }
-    let _e162 = phi_343_;
+    let _e162 = phi_375_;
     let _e163 = (_e77 - 1u);
     let _e165 = (_e162 * f32(_e77));
     if _e85 {
         let _e172 = select(select(u32(_e165), 0u, (_e165 < bitcast<f32>(0u))), 4294967295u, (_e165 > bitcast<f32>(1333788671u)));
         if (_e163 < _e172) {
-            phi_361_ = _e163;
+            phi_393_ = _e163;
         } else {
-            phi_361_ = _e172;
+            phi_393_ = _e172;
         }
-        let _e175 = phi_361_;
-        phi_400_ = texture_Axis(_e175, _e175, 0f);
+        let _e175 = phi_393_;
+        phi_432_ = texture_Axis(_e175, _e175, 0f);
     } else {
         let _e177 = (_e165 + 0.5f);
         let _e184 = select(select(u32(_e177), 0u, (_e177 < bitcast<f32>(0u))), 4294967295u, (_e177 > bitcast<f32>(1333788671u)));
         if (_e77 < _e184) {
-            phi_375_ = _e77;
+            phi_407_ = _e77;
         } else {
-            phi_375_ = _e184;
+            phi_407_ = _e184;
         }
-        let _e187 = phi_375_;
+        let _e187 = phi_407_;
         if (_e90 == 0u) {
-            phi_382_ = _e163;
+            phi_414_ = _e163;
         } else {
-            phi_382_ = 0u;
+            phi_414_ = 0u;
         }
-        let _e192 = phi_382_;
+        let _e192 = phi_414_;
         if (_e90 == 0u) {
-            phi_387_ = 0u;
+            phi_419_ = 0u;
         } else {
-            phi_387_ = _e163;
+            phi_419_ = _e163;
         }
-        let _e195 = phi_387_;
+        let _e195 = phi_419_;
         if (_e187 == 0u) {
-            phi_393_ = _e192;
+            phi_425_ = _e192;
         } else {
-            phi_393_ = (_e187 - 1u);
+            phi_425_ = (_e187 - 1u);
         }
-        let _e199 = phi_393_;
+        let _e199 = phi_425_;
         if (_e187 > _e163) {
-            phi_398_ = _e195;
+            phi_430_ = _e195;
         } else {
-            phi_398_ = _e187;
+            phi_430_ = _e187;
         }
-        let _e202 = phi_398_;
-        phi_400_ = texture_Axis(_e199, _e202, (_e177 - f32(_e187)));
+        let _e202 = phi_430_;
+        phi_432_ = texture_Axis(_e199, _e202, (_e177 - f32(_e187)));
     }
-    let _e205 = phi_400_;
-    let _e207 = (*param_3).flags;
+    let _e205 = phi_432_;
+    let _e207 = (*param_7).flags;
     let _e210 = ((_e207 >> bitcast<u32>(6u)) & 3u);
     if (_e210 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e223 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e223 > param_5) {
-                phi_428_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e223 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e223 > param_9) {
+                phi_460_ = 1f;
             } else {
-                phi_428_ = 0f;
+                phi_460_ = 0f;
             }
-            let _e226 = phi_428_;
-            if (param_5 < 8388608f) {
-                phi_433_ = (_e223 - _e226);
-                phi_434_ = false;
+            let _e226 = phi_460_;
+            if (param_9 < 8388608f) {
+                phi_465_ = (_e223 - _e226);
+                phi_466_ = false;
             } else {
-                phi_433_ = f32();
-                phi_434_ = true;
+                phi_465_ = f32();
+                phi_466_ = true;
             }
-            let _e229 = phi_433_;
-            let _e231 = phi_434_;
-            phi_435_ = _e229;
-            phi_436_ = _e231;
+            let _e229 = phi_465_;
+            let _e231 = phi_466_;
+            phi_467_ = _e229;
+            phi_468_ = _e231;
         } else {
-            phi_435_ = f32();
-            phi_436_ = true;
+            phi_467_ = f32();
+            phi_468_ = true;
         }
-        let _e233 = phi_435_;
-        let _e235 = phi_436_;
+        let _e233 = phi_467_;
+        let _e235 = phi_468_;
         if _e235 {
-            phi_440_ = param_5;
+            phi_472_ = param_9;
         } else {
-            phi_440_ = _e233;
+            phi_472_ = _e233;
         }
-        let _e237 = phi_440_;
-        phi_488_ = (param_5 - _e237);
+        let _e237 = phi_472_;
+        phi_520_ = (param_9 - _e237);
     } else {
         if (_e210 == 1u) {
-            let _e240 = (param_5 * 0.5f);
+            let _e240 = (param_9 * 0.5f);
             if (_e240 > -8388608f) {
                 let _e252 = f32(select(0i, select(select(i32(_e240), i32(-2147483648), (_e240 < bitcast<f32>(3472883712u))), 2147483647i, (_e240 > bitcast<f32>(1325400063u))), (_e240 == _e240)));
                 if (_e252 > _e240) {
-                    phi_466_ = 1f;
+                    phi_498_ = 1f;
                 } else {
-                    phi_466_ = 0f;
+                    phi_498_ = 0f;
                 }
-                let _e255 = phi_466_;
+                let _e255 = phi_498_;
                 if (_e240 < 8388608f) {
-                    phi_471_ = (_e252 - _e255);
-                    phi_472_ = false;
+                    phi_503_ = (_e252 - _e255);
+                    phi_504_ = false;
                 } else {
-                    phi_471_ = f32();
-                    phi_472_ = true;
+                    phi_503_ = f32();
+                    phi_504_ = true;
                 }
-                let _e258 = phi_471_;
-                let _e260 = phi_472_;
-                phi_473_ = _e258;
-                phi_474_ = _e260;
+                let _e258 = phi_503_;
+                let _e260 = phi_504_;
+                phi_505_ = _e258;
+                phi_506_ = _e260;
             } else {
-                phi_473_ = f32();
-                phi_474_ = true;
+                phi_505_ = f32();
+                phi_506_ = true;
             }
-            let _e262 = phi_473_;
-            let _e264 = phi_474_;
+            let _e262 = phi_505_;
+            let _e264 = phi_506_;
             if _e264 {
-                phi_478_ = _e240;
+                phi_510_ = _e240;
             } else {
-                phi_478_ = _e262;
+                phi_510_ = _e262;
             }
-            let _e266 = phi_478_;
-            let _e268 = (param_5 - (2f * _e266));
+            let _e266 = phi_510_;
+            let _e268 = (param_9 - (2f * _e266));
             if (_e268 > 1f) {
-                phi_486_ = (2f - _e268);
+                phi_518_ = (2f - _e268);
             } else {
-                phi_486_ = _e268;
+                phi_518_ = _e268;
             }
-            let _e272 = phi_486_;
-            phi_487_ = _e272;
+            let _e272 = phi_518_;
+            phi_519_ = _e272;
         } else {
-            phi_487_ = param_5;
+            phi_519_ = param_9;
         }
-        let _e274 = phi_487_;
-        phi_488_ = _e274;
+        let _e274 = phi_519_;
+        phi_520_ = _e274;
     }
-    let _e276 = phi_488_;
+    let _e276 = phi_520_;
     if (_e276 > 0f) {
         if (_e276 < 1f) {
-            phi_497_ = _e276;
+            phi_529_ = _e276;
         } else {
-            phi_497_ = 1f;
+            phi_529_ = 1f;
         }
-        let _e280 = phi_497_;
-        phi_498_ = _e280;
+        let _e280 = phi_529_;
+        phi_530_ = _e280;
     } else {
-        phi_498_ = 0f;
+        phi_530_ = 0f;
     }
-    let _e282 = phi_498_;
+    let _e282 = phi_530_;
     let _e283 = (_e81 - 1u);
     let _e285 = (_e282 * f32(_e81));
     if _e85 {
         let _e292 = select(select(u32(_e285), 0u, (_e285 < bitcast<f32>(0u))), 4294967295u, (_e285 > bitcast<f32>(1333788671u)));
         if (_e283 < _e292) {
-            phi_516_ = _e283;
+            phi_548_ = _e283;
         } else {
-            phi_516_ = _e292;
+            phi_548_ = _e292;
         }
-        let _e295 = phi_516_;
-        phi_555_ = texture_Axis(_e295, _e295, 0f);
+        let _e295 = phi_548_;
+        phi_587_ = texture_Axis(_e295, _e295, 0f);
     } else {
         let _e297 = (_e285 + 0.5f);
         let _e304 = select(select(u32(_e297), 0u, (_e297 < bitcast<f32>(0u))), 4294967295u, (_e297 > bitcast<f32>(1333788671u)));
         if (_e81 < _e304) {
-            phi_530_ = _e81;
+            phi_562_ = _e81;
         } else {
-            phi_530_ = _e304;
+            phi_562_ = _e304;
         }
-        let _e307 = phi_530_;
+        let _e307 = phi_562_;
         if (_e210 == 0u) {
-            phi_537_ = _e283;
+            phi_569_ = _e283;
         } else {
-            phi_537_ = 0u;
+            phi_569_ = 0u;
         }
-        let _e312 = phi_537_;
+        let _e312 = phi_569_;
         if (_e210 == 0u) {
-            phi_542_ = 0u;
+            phi_574_ = 0u;
         } else {
-            phi_542_ = _e283;
+            phi_574_ = _e283;
         }
-        let _e315 = phi_542_;
+        let _e315 = phi_574_;
         if (_e307 == 0u) {
-            phi_548_ = _e312;
+            phi_580_ = _e312;
         } else {
-            phi_548_ = (_e307 - 1u);
+            phi_580_ = (_e307 - 1u);
         }
-        let _e319 = phi_548_;
+        let _e319 = phi_580_;
         if (_e307 > _e283) {
-            phi_553_ = _e315;
+            phi_585_ = _e315;
         } else {
-            phi_553_ = _e307;
+            phi_585_ = _e307;
         }
-        let _e322 = phi_553_;
-        phi_555_ = texture_Axis(_e319, _e322, (_e297 - f32(_e307)));
+        let _e322 = phi_585_;
+        phi_587_ = texture_Axis(_e319, _e322, (_e297 - f32(_e307)));
     }
-    let _e325 = phi_555_;
-    let _e329 = (*param_3).offset;
-    let _e336 = (*param_3).offset;
-    let _e343 = (*param_3).offset;
-    let _e350 = (*param_3).offset;
+    let _e325 = phi_587_;
+    let _e329 = (*param_7).offset;
+    let _e336 = (*param_7).offset;
+    let _e343 = (*param_7).offset;
+    let _e350 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e329 + (_e325.low * _e77)) + _e205.low), ((_e336 + (_e325.low * _e77)) + _e205.high), ((_e343 + (_e325.high * _e77)) + _e205.low), ((_e350 + (_e325.high * _e77)) + _e205.high)), vec4<f32>(((1f - _e205.fraction) * (1f - _e325.fraction)), (_e205.fraction * (1f - _e325.fraction)), ((1f - _e205.fraction) * _e325.fraction), (_e205.fraction * _e325.fraction)));
 }
 
-fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_618_: bool;
-    var phi_622_: f32;
-
-    if (param_8 != param_8) {
-        phi_618_ = true;
-    } else {
-        let _e75 = (param_9 >= param_8);
-        if _e75 {
-        }
-        phi_618_ = _e75;
-    }
-    let _e77 = phi_618_;
-    if _e77 {
-        phi_622_ = param_9;
-    } else {
-        phi_622_ = param_8;
-    }
-    let _e79 = phi_622_;
-    return _e79;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_634_: bool;
-    var phi_638_: f32;
-
-    if (param_10 != param_10) {
-        phi_634_ = true;
-    } else {
-        let _e75 = (param_11 <= param_10);
-        if _e75 {
-        }
-        phi_634_ = _e75;
-    }
-    let _e77 = phi_634_;
-    if _e77 {
-        phi_638_ = param_11;
-    } else {
-        phi_638_ = param_10;
-    }
-    let _e79 = phi_638_;
-    return _e79;
+fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_10, 0f, param_11, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {

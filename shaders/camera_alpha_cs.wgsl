@@ -39,6 +39,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_30 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -48,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_27 {
+struct type_34 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -60,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_31 {
+struct type_38 {
     member: array<abi_Vertex>,
 }
 
@@ -72,11 +92,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_35 {
+struct type_42 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -90,28 +123,8 @@ struct texture_Axis {
     fraction: f32,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_45 {
+struct type_53 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_50 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -129,29 +142,17 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_31;
+var<storage> vertices: type_38;
 @group(0) @binding(4) 
-var<storage> materials: type_35;
+var<storage> materials: type_42;
 @group(0) @binding(0) 
-var<uniform> p: type_45;
+var<uniform> p: type_53;
 @group(0) @binding(1) 
-var<storage> nodes: type_50;
+var<storage> nodes: type_30;
 @group(0) @binding(2) 
-var<storage> triangles: type_27;
+var<storage> triangles: type_34;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
@@ -191,417 +192,417 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_265_: f32;
-    var phi_270_: f32;
-    var phi_271_: bool;
-    var phi_272_: f32;
-    var phi_273_: bool;
-    var phi_277_: f32;
-    var phi_303_: f32;
-    var phi_308_: f32;
-    var phi_309_: bool;
-    var phi_310_: f32;
-    var phi_311_: bool;
-    var phi_315_: f32;
-    var phi_323_: f32;
-    var phi_324_: f32;
-    var phi_325_: f32;
-    var phi_334_: f32;
-    var phi_335_: f32;
-    var phi_353_: u32;
-    var phi_367_: u32;
-    var phi_374_: u32;
-    var phi_379_: u32;
-    var phi_385_: u32;
-    var phi_390_: u32;
-    var phi_392_: texture_Axis;
-    var phi_420_: f32;
-    var phi_425_: f32;
-    var phi_426_: bool;
-    var phi_427_: f32;
-    var phi_428_: bool;
-    var phi_432_: f32;
-    var phi_458_: f32;
-    var phi_463_: f32;
-    var phi_464_: bool;
-    var phi_465_: f32;
-    var phi_466_: bool;
-    var phi_470_: f32;
-    var phi_478_: f32;
-    var phi_479_: f32;
-    var phi_480_: f32;
-    var phi_489_: f32;
-    var phi_490_: f32;
-    var phi_508_: u32;
-    var phi_522_: u32;
-    var phi_529_: u32;
-    var phi_534_: u32;
-    var phi_540_: u32;
-    var phi_545_: u32;
-    var phi_547_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_235_: bool;
+    var phi_239_: f32;
 
-    let _e73 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_235_ = true;
+    } else {
+        let _e72 = (param_4 >= param_3);
+        if _e72 {
+        }
+        phi_235_ = _e72;
+    }
+    let _e74 = phi_235_;
+    if _e74 {
+        phi_239_ = param_4;
+    } else {
+        phi_239_ = param_3;
+    }
+    let _e76 = phi_239_;
+    return _e76;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_251_: bool;
+    var phi_255_: f32;
+
+    if (param_5 != param_5) {
+        phi_251_ = true;
+    } else {
+        let _e72 = (param_6 <= param_5);
+        if _e72 {
+        }
+        phi_251_ = _e72;
+    }
+    let _e74 = phi_251_;
+    if _e74 {
+        phi_255_ = param_6;
+    } else {
+        phi_255_ = param_5;
+    }
+    let _e76 = phi_255_;
+    return _e76;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_297_: f32;
+    var phi_302_: f32;
+    var phi_303_: bool;
+    var phi_304_: f32;
+    var phi_305_: bool;
+    var phi_309_: f32;
+    var phi_335_: f32;
+    var phi_340_: f32;
+    var phi_341_: bool;
+    var phi_342_: f32;
+    var phi_343_: bool;
+    var phi_347_: f32;
+    var phi_355_: f32;
+    var phi_356_: f32;
+    var phi_357_: f32;
+    var phi_366_: f32;
+    var phi_367_: f32;
+    var phi_385_: u32;
+    var phi_399_: u32;
+    var phi_406_: u32;
+    var phi_411_: u32;
+    var phi_417_: u32;
+    var phi_422_: u32;
+    var phi_424_: texture_Axis;
+    var phi_452_: f32;
+    var phi_457_: f32;
+    var phi_458_: bool;
+    var phi_459_: f32;
+    var phi_460_: bool;
+    var phi_464_: f32;
+    var phi_490_: f32;
+    var phi_495_: f32;
+    var phi_496_: bool;
+    var phi_497_: f32;
+    var phi_498_: bool;
+    var phi_502_: f32;
+    var phi_510_: f32;
+    var phi_511_: f32;
+    var phi_512_: f32;
+    var phi_521_: f32;
+    var phi_522_: f32;
+    var phi_540_: u32;
+    var phi_554_: u32;
+    var phi_561_: u32;
+    var phi_566_: u32;
+    var phi_572_: u32;
+    var phi_577_: u32;
+    var phi_579_: texture_Axis;
+
+    let _e73 = (*param_7).size;
     let _e74 = (_e73 & 65535u);
-    let _e76 = (*param_3).size;
+    let _e76 = (*param_7).size;
     let _e78 = (_e76 >> bitcast<u32>(16i));
-    let _e80 = (*param_3).flags;
+    let _e80 = (*param_7).flags;
     let _e82 = ((_e80 & 4u) != 0u);
-    let _e84 = (*param_3).flags;
+    let _e84 = (*param_7).flags;
     let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
     if (_e87 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e100 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e100 > param_4) {
-                phi_265_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e100 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e100 > param_8) {
+                phi_297_ = 1f;
             } else {
-                phi_265_ = 0f;
+                phi_297_ = 0f;
             }
-            let _e103 = phi_265_;
-            if (param_4 < 8388608f) {
-                phi_270_ = (_e100 - _e103);
-                phi_271_ = false;
+            let _e103 = phi_297_;
+            if (param_8 < 8388608f) {
+                phi_302_ = (_e100 - _e103);
+                phi_303_ = false;
             } else {
-                phi_270_ = f32();
-                phi_271_ = true;
+                phi_302_ = f32();
+                phi_303_ = true;
             }
-            let _e106 = phi_270_;
-            let _e108 = phi_271_;
-            phi_272_ = _e106;
-            phi_273_ = _e108;
+            let _e106 = phi_302_;
+            let _e108 = phi_303_;
+            phi_304_ = _e106;
+            phi_305_ = _e108;
         } else {
-            phi_272_ = f32();
-            phi_273_ = true;
+            phi_304_ = f32();
+            phi_305_ = true;
         }
-        let _e110 = phi_272_;
-        let _e112 = phi_273_;
+        let _e110 = phi_304_;
+        let _e112 = phi_305_;
         if _e112 {
-            phi_277_ = param_4;
+            phi_309_ = param_8;
         } else {
-            phi_277_ = _e110;
+            phi_309_ = _e110;
         }
-        let _e114 = phi_277_;
-        phi_325_ = (param_4 - _e114);
+        let _e114 = phi_309_;
+        phi_357_ = (param_8 - _e114);
     } else {
         if (_e87 == 1u) {
-            let _e117 = (param_4 * 0.5f);
+            let _e117 = (param_8 * 0.5f);
             if (_e117 > -8388608f) {
                 let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
                 if (_e129 > _e117) {
-                    phi_303_ = 1f;
+                    phi_335_ = 1f;
                 } else {
-                    phi_303_ = 0f;
+                    phi_335_ = 0f;
                 }
-                let _e132 = phi_303_;
+                let _e132 = phi_335_;
                 if (_e117 < 8388608f) {
-                    phi_308_ = (_e129 - _e132);
-                    phi_309_ = false;
+                    phi_340_ = (_e129 - _e132);
+                    phi_341_ = false;
                 } else {
-                    phi_308_ = f32();
-                    phi_309_ = true;
+                    phi_340_ = f32();
+                    phi_341_ = true;
                 }
-                let _e135 = phi_308_;
-                let _e137 = phi_309_;
-                phi_310_ = _e135;
-                phi_311_ = _e137;
+                let _e135 = phi_340_;
+                let _e137 = phi_341_;
+                phi_342_ = _e135;
+                phi_343_ = _e137;
             } else {
-                phi_310_ = f32();
-                phi_311_ = true;
+                phi_342_ = f32();
+                phi_343_ = true;
             }
-            let _e139 = phi_310_;
-            let _e141 = phi_311_;
+            let _e139 = phi_342_;
+            let _e141 = phi_343_;
             if _e141 {
-                phi_315_ = _e117;
+                phi_347_ = _e117;
             } else {
-                phi_315_ = _e139;
+                phi_347_ = _e139;
             }
-            let _e143 = phi_315_;
-            let _e145 = (param_4 - (2f * _e143));
+            let _e143 = phi_347_;
+            let _e145 = (param_8 - (2f * _e143));
             if (_e145 > 1f) {
-                phi_323_ = (2f - _e145);
+                phi_355_ = (2f - _e145);
             } else {
-                phi_323_ = _e145;
+                phi_355_ = _e145;
             }
-            let _e149 = phi_323_;
-            phi_324_ = _e149;
+            let _e149 = phi_355_;
+            phi_356_ = _e149;
         } else {
-            phi_324_ = param_4;
+            phi_356_ = param_8;
         }
-        let _e151 = phi_324_;
-        phi_325_ = _e151;
+        let _e151 = phi_356_;
+        phi_357_ = _e151;
     }
-    let _e153 = phi_325_;
+    let _e153 = phi_357_;
     if (_e153 > 0f) {
         if (_e153 < 1f) {
-            phi_334_ = _e153;
+            phi_366_ = _e153;
         } else {
-            phi_334_ = 1f;
+            phi_366_ = 1f;
         }
-        let _e157 = phi_334_;
-        phi_335_ = _e157;
+        let _e157 = phi_366_;
+        phi_367_ = _e157;
     } else {
-        phi_335_ = 0f;
+        phi_367_ = 0f;
     }
-    let _e159 = phi_335_;
+    let _e159 = phi_367_;
     let _e160 = (_e74 - 1u);
     let _e162 = (_e159 * f32(_e74));
     if _e82 {
         let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
         if (_e160 < _e169) {
-            phi_353_ = _e160;
+            phi_385_ = _e160;
         } else {
-            phi_353_ = _e169;
+            phi_385_ = _e169;
         }
-        let _e172 = phi_353_;
-        phi_392_ = texture_Axis(_e172, _e172, 0f);
+        let _e172 = phi_385_;
+        phi_424_ = texture_Axis(_e172, _e172, 0f);
     } else {
         let _e174 = (_e162 + 0.5f);
         let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
         if (_e74 < _e181) {
-            phi_367_ = _e74;
+            phi_399_ = _e74;
         } else {
-            phi_367_ = _e181;
+            phi_399_ = _e181;
         }
-        let _e184 = phi_367_;
+        let _e184 = phi_399_;
         if (_e87 == 0u) {
-            phi_374_ = _e160;
+            phi_406_ = _e160;
         } else {
-            phi_374_ = 0u;
+            phi_406_ = 0u;
         }
-        let _e189 = phi_374_;
+        let _e189 = phi_406_;
         if (_e87 == 0u) {
-            phi_379_ = 0u;
+            phi_411_ = 0u;
         } else {
-            phi_379_ = _e160;
+            phi_411_ = _e160;
         }
-        let _e192 = phi_379_;
+        let _e192 = phi_411_;
         if (_e184 == 0u) {
-            phi_385_ = _e189;
+            phi_417_ = _e189;
         } else {
-            phi_385_ = (_e184 - 1u);
+            phi_417_ = (_e184 - 1u);
         }
-        let _e196 = phi_385_;
+        let _e196 = phi_417_;
         if (_e184 > _e160) {
-            phi_390_ = _e192;
+            phi_422_ = _e192;
         } else {
-            phi_390_ = _e184;
+            phi_422_ = _e184;
         }
-        let _e199 = phi_390_;
-        phi_392_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
+        let _e199 = phi_422_;
+        phi_424_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
     }
-    let _e202 = phi_392_;
-    let _e204 = (*param_3).flags;
+    let _e202 = phi_424_;
+    let _e204 = (*param_7).flags;
     let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
     if (_e207 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e220 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e220 > param_5) {
-                phi_420_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e220 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e220 > param_9) {
+                phi_452_ = 1f;
             } else {
-                phi_420_ = 0f;
+                phi_452_ = 0f;
             }
-            let _e223 = phi_420_;
-            if (param_5 < 8388608f) {
-                phi_425_ = (_e220 - _e223);
-                phi_426_ = false;
+            let _e223 = phi_452_;
+            if (param_9 < 8388608f) {
+                phi_457_ = (_e220 - _e223);
+                phi_458_ = false;
             } else {
-                phi_425_ = f32();
-                phi_426_ = true;
+                phi_457_ = f32();
+                phi_458_ = true;
             }
-            let _e226 = phi_425_;
-            let _e228 = phi_426_;
-            phi_427_ = _e226;
-            phi_428_ = _e228;
+            let _e226 = phi_457_;
+            let _e228 = phi_458_;
+            phi_459_ = _e226;
+            phi_460_ = _e228;
         } else {
-            phi_427_ = f32();
-            phi_428_ = true;
+            phi_459_ = f32();
+            phi_460_ = true;
         }
-        let _e230 = phi_427_;
-        let _e232 = phi_428_;
+        let _e230 = phi_459_;
+        let _e232 = phi_460_;
         if _e232 {
-            phi_432_ = param_5;
+            phi_464_ = param_9;
         } else {
-            phi_432_ = _e230;
+            phi_464_ = _e230;
         }
-        let _e234 = phi_432_;
-        phi_480_ = (param_5 - _e234);
+        let _e234 = phi_464_;
+        phi_512_ = (param_9 - _e234);
     } else {
         if (_e207 == 1u) {
-            let _e237 = (param_5 * 0.5f);
+            let _e237 = (param_9 * 0.5f);
             if (_e237 > -8388608f) {
                 let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
                 if (_e249 > _e237) {
-                    phi_458_ = 1f;
+                    phi_490_ = 1f;
                 } else {
-                    phi_458_ = 0f;
+                    phi_490_ = 0f;
                 }
-                let _e252 = phi_458_;
+                let _e252 = phi_490_;
                 if (_e237 < 8388608f) {
-                    phi_463_ = (_e249 - _e252);
-                    phi_464_ = false;
+                    phi_495_ = (_e249 - _e252);
+                    phi_496_ = false;
                 } else {
-                    phi_463_ = f32();
-                    phi_464_ = true;
+                    phi_495_ = f32();
+                    phi_496_ = true;
                 }
-                let _e255 = phi_463_;
-                let _e257 = phi_464_;
-                phi_465_ = _e255;
-                phi_466_ = _e257;
+                let _e255 = phi_495_;
+                let _e257 = phi_496_;
+                phi_497_ = _e255;
+                phi_498_ = _e257;
             } else {
-                phi_465_ = f32();
-                phi_466_ = true;
+                phi_497_ = f32();
+                phi_498_ = true;
             }
-            let _e259 = phi_465_;
-            let _e261 = phi_466_;
+            let _e259 = phi_497_;
+            let _e261 = phi_498_;
             if _e261 {
-                phi_470_ = _e237;
+                phi_502_ = _e237;
             } else {
-                phi_470_ = _e259;
+                phi_502_ = _e259;
             }
-            let _e263 = phi_470_;
-            let _e265 = (param_5 - (2f * _e263));
+            let _e263 = phi_502_;
+            let _e265 = (param_9 - (2f * _e263));
             if (_e265 > 1f) {
-                phi_478_ = (2f - _e265);
+                phi_510_ = (2f - _e265);
             } else {
-                phi_478_ = _e265;
+                phi_510_ = _e265;
             }
-            let _e269 = phi_478_;
-            phi_479_ = _e269;
+            let _e269 = phi_510_;
+            phi_511_ = _e269;
         } else {
-            phi_479_ = param_5;
+            phi_511_ = param_9;
         }
-        let _e271 = phi_479_;
-        phi_480_ = _e271;
+        let _e271 = phi_511_;
+        phi_512_ = _e271;
     }
-    let _e273 = phi_480_;
+    let _e273 = phi_512_;
     if (_e273 > 0f) {
         if (_e273 < 1f) {
-            phi_489_ = _e273;
+            phi_521_ = _e273;
         } else {
-            phi_489_ = 1f;
+            phi_521_ = 1f;
         }
-        let _e277 = phi_489_;
-        phi_490_ = _e277;
+        let _e277 = phi_521_;
+        phi_522_ = _e277;
     } else {
-        phi_490_ = 0f;
+        phi_522_ = 0f;
     }
-    let _e279 = phi_490_;
+    let _e279 = phi_522_;
     let _e280 = (_e78 - 1u);
     let _e282 = (_e279 * f32(_e78));
     if _e82 {
         let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
         if (_e280 < _e289) {
-            phi_508_ = _e280;
+            phi_540_ = _e280;
         } else {
-            phi_508_ = _e289;
+            phi_540_ = _e289;
         }
-        let _e292 = phi_508_;
-        phi_547_ = texture_Axis(_e292, _e292, 0f);
+        let _e292 = phi_540_;
+        phi_579_ = texture_Axis(_e292, _e292, 0f);
     } else {
         let _e294 = (_e282 + 0.5f);
         let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
         if (_e78 < _e301) {
-            phi_522_ = _e78;
+            phi_554_ = _e78;
         } else {
-            phi_522_ = _e301;
+            phi_554_ = _e301;
         }
-        let _e304 = phi_522_;
+        let _e304 = phi_554_;
         if (_e207 == 0u) {
-            phi_529_ = _e280;
+            phi_561_ = _e280;
         } else {
-            phi_529_ = 0u;
+            phi_561_ = 0u;
         }
-        let _e309 = phi_529_;
+        let _e309 = phi_561_;
         if (_e207 == 0u) {
-            phi_534_ = 0u;
+            phi_566_ = 0u;
         } else {
-            phi_534_ = _e280;
+            phi_566_ = _e280;
         }
-        let _e312 = phi_534_;
+        let _e312 = phi_566_;
         if (_e304 == 0u) {
-            phi_540_ = _e309;
+            phi_572_ = _e309;
         } else {
-            phi_540_ = (_e304 - 1u);
+            phi_572_ = (_e304 - 1u);
         }
-        let _e316 = phi_540_;
+        let _e316 = phi_572_;
         if (_e304 > _e280) {
-            phi_545_ = _e312;
+            phi_577_ = _e312;
         } else {
-            phi_545_ = _e304;
+            phi_577_ = _e304;
         }
-        let _e319 = phi_545_;
-        phi_547_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
+        let _e319 = phi_577_;
+        phi_579_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
     }
-    let _e322 = phi_547_;
-    let _e326 = (*param_3).offset;
-    let _e333 = (*param_3).offset;
-    let _e340 = (*param_3).offset;
-    let _e347 = (*param_3).offset;
+    let _e322 = phi_579_;
+    let _e326 = (*param_7).offset;
+    let _e333 = (*param_7).offset;
+    let _e340 = (*param_7).offset;
+    let _e347 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
 }
 
-fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_6: vec3<f32>) -> vec3<f32> {
-    return param_6;
+fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_10: vec3<f32>) -> vec3<f32> {
+    return param_10;
 }
 
-fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_7: vec3<f32>) -> vec3<f32> {
+fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_11: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(1f, 1f, 1f);
 }
 
-fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_8: f32, param_9: f32) -> f32 {
+fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
     var phi_3041_: f32;
 
-    if (param_8 > param_9) {
-        phi_3041_ = param_8;
+    if (param_12 > param_13) {
+        phi_3041_ = param_12;
     } else {
-        phi_3041_ = param_9;
+        phi_3041_ = param_13;
     }
     let _e73 = phi_3041_;
     return _e73;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_3029_: bool;
-    var phi_3033_: f32;
-
-    if (param_10 != param_10) {
-        phi_3029_ = true;
-    } else {
-        let _e72 = (param_11 <= param_10);
-        if _e72 {
-        }
-        phi_3029_ = _e72;
-    }
-    let _e74 = phi_3029_;
-    if _e74 {
-        phi_3033_ = param_11;
-    } else {
-        phi_3033_ = param_10;
-    }
-    let _e76 = phi_3033_;
-    return _e76;
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_12: f32, param_13: f32) -> f32 {
-    var phi_3013_: bool;
-    var phi_3017_: f32;
-
-    if (param_12 != param_12) {
-        phi_3013_ = true;
-    } else {
-        let _e72 = (param_13 >= param_12);
-        if _e72 {
-        }
-        phi_3013_ = _e72;
-    }
-    let _e74 = phi_3013_;
-    if _e74 {
-        phi_3017_ = param_13;
-    } else {
-        phi_3017_ = param_12;
-    }
-    let _e76 = phi_3017_;
-    return _e76;
 }
 
 fn _lt_bvh_ray_Ray_new(param_14: vec3<f32>, param_15: vec3<f32>) -> lt_bvh_Ray {
@@ -611,211 +612,211 @@ fn _lt_bvh_ray_Ray_new(param_14: vec3<f32>, param_15: vec3<f32>) -> lt_bvh_Ray {
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_742_: bool;
-    var phi_743_: bool;
-    var phi_744_: bool;
-    var phi_748_: bool;
-    var phi_749_: bool;
-    var phi_750_: bool;
-    var phi_751_: bool;
-    var phi_752_: bool;
-    var phi_753_: bool;
-    var phi_754_: bool;
-    var phi_755_: bool;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
-    var phi_760_: bool;
-    var phi_761_: bool;
-    var phi_762_: bool;
-    var phi_763_: bool;
-    var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_769_: bool;
-    var phi_773_: bool;
-    var phi_848_: f32;
-    var phi_855_: f32;
-    var phi_863_: f32;
-    var phi_870_: f32;
-    var phi_878_: f32;
-    var phi_885_: f32;
+    var phi_774_: bool;
+    var phi_775_: bool;
+    var phi_776_: bool;
+    var phi_780_: bool;
+    var phi_781_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: bool;
+    var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_789_: bool;
+    var phi_790_: bool;
+    var phi_791_: bool;
+    var phi_792_: bool;
+    var phi_793_: bool;
+    var phi_794_: bool;
+    var phi_795_: bool;
+    var phi_796_: bool;
+    var phi_797_: bool;
+    var phi_801_: bool;
+    var phi_805_: bool;
+    var phi_880_: f32;
+    var phi_887_: f32;
+    var phi_895_: f32;
+    var phi_902_: f32;
     var phi_910_: f32;
-    var phi_915_: f32;
-    var phi_920_: f32;
-    var phi_953_: bool;
-    var phi_954_: bool;
-    var phi_962_: u32;
-    var phi_963_: u32;
-    var phi_981_: vec3<f32>;
-    var phi_982_: vec3<f32>;
-    var phi_996_: u32;
-    var phi_1001_: u32;
-    var phi_1006_: u32;
-    var phi_1120_: bool;
-    var phi_1121_: bool;
-    var phi_1152_: u32;
-    var phi_1154_: lt_bvh_Hit;
-    var phi_1157_: u32;
-    var phi_1242_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1269_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1296_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1302_: u32;
-    var phi_1305_: u32;
-    var phi_1319_: u32;
-    var phi_1329_: u32;
-    var phi_1339_: u32;
-    var phi_1357_: u32;
-    var phi_1367_: u32;
-    var phi_1377_: u32;
-    var phi_1413_: u32;
-    var phi_1426_: u32;
-    var phi_1431_: u32;
-    var phi_1432_: u32;
-    var phi_1433_: u32;
-    var phi_1303_: u32;
-    var phi_1306_: u32;
+    var phi_917_: f32;
+    var phi_942_: f32;
+    var phi_947_: f32;
+    var phi_952_: f32;
+    var phi_985_: bool;
+    var phi_986_: bool;
+    var phi_994_: u32;
+    var phi_995_: u32;
+    var phi_1013_: vec3<f32>;
+    var phi_1014_: vec3<f32>;
+    var phi_1028_: u32;
+    var phi_1033_: u32;
+    var phi_1038_: u32;
+    var phi_1152_: bool;
+    var phi_1153_: bool;
+    var phi_1184_: u32;
+    var phi_1186_: lt_bvh_Hit;
+    var phi_1189_: u32;
+    var phi_1274_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1301_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1328_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1334_: u32;
+    var phi_1337_: u32;
+    var phi_1351_: u32;
+    var phi_1361_: u32;
+    var phi_1371_: u32;
+    var phi_1389_: u32;
+    var phi_1399_: u32;
+    var phi_1409_: u32;
+    var phi_1445_: u32;
+    var phi_1458_: u32;
+    var phi_1463_: u32;
+    var phi_1464_: u32;
+    var phi_1465_: u32;
+    var phi_1335_: u32;
+    var phi_1338_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1491_: lt_bvh_Hit;
-    var phi_1494_: u32;
-    var phi_1540_: vec3<f32>;
-    var phi_1541_: vec3<f32>;
+    var phi_1523_: lt_bvh_Hit;
+    var phi_1526_: u32;
     var phi_1572_: vec3<f32>;
     var phi_1573_: vec3<f32>;
     var phi_1604_: vec3<f32>;
     var phi_1605_: vec3<f32>;
-    var phi_1623_: bool;
-    var phi_1624_: bool;
-    var phi_1628_: f32;
-    var phi_1629_: f32;
-    var phi_1630_: f32;
-    var phi_1631_: f32;
-    var phi_1639_: f32;
-    var phi_1649_: bool;
-    var phi_1650_: bool;
-    var phi_1654_: f32;
-    var phi_1655_: f32;
-    var phi_1656_: f32;
-    var phi_1657_: f32;
-    var phi_1665_: f32;
-    var phi_1675_: bool;
-    var phi_1676_: bool;
-    var phi_1680_: f32;
-    var phi_1681_: f32;
-    var phi_1682_: f32;
-    var phi_1683_: f32;
-    var phi_1691_: f32;
-    var phi_1706_: f32;
+    var phi_1636_: vec3<f32>;
+    var phi_1637_: vec3<f32>;
+    var phi_1655_: bool;
+    var phi_1656_: bool;
+    var phi_1660_: f32;
+    var phi_1661_: f32;
+    var phi_1662_: f32;
+    var phi_1663_: f32;
+    var phi_1671_: f32;
+    var phi_1681_: bool;
+    var phi_1682_: bool;
+    var phi_1686_: f32;
+    var phi_1687_: f32;
+    var phi_1688_: f32;
+    var phi_1689_: f32;
+    var phi_1697_: f32;
     var phi_1707_: bool;
-    var phi_1708_: f32;
-    var phi_1709_: bool;
-    var phi_1710_: f32;
-    var phi_1711_: bool;
-    var phi_1729_: f32;
-    var phi_1730_: bool;
-    var phi_1731_: bool;
-    var phi_1732_: f32;
-    var phi_1733_: bool;
-    var phi_1734_: bool;
-    var phi_1738_: bool;
-    var phi_1739_: f32;
-    var phi_1740_: bool;
-    var phi_1770_: vec3<f32>;
-    var phi_1771_: vec3<f32>;
-    var phi_1796_: vec3<f32>;
-    var phi_1797_: vec3<f32>;
-    var phi_1822_: vec3<f32>;
-    var phi_1823_: vec3<f32>;
-    var phi_1881_: f32;
-    var phi_1890_: f32;
-    var phi_1899_: f32;
-    var phi_1908_: f32;
-    var phi_1915_: f32;
+    var phi_1708_: bool;
+    var phi_1712_: f32;
+    var phi_1713_: f32;
+    var phi_1714_: f32;
+    var phi_1715_: f32;
+    var phi_1723_: f32;
+    var phi_1738_: f32;
+    var phi_1739_: bool;
+    var phi_1740_: f32;
+    var phi_1741_: bool;
+    var phi_1742_: f32;
+    var phi_1743_: bool;
+    var phi_1761_: f32;
+    var phi_1762_: bool;
+    var phi_1763_: bool;
+    var phi_1764_: f32;
+    var phi_1765_: bool;
+    var phi_1766_: bool;
+    var phi_1770_: bool;
+    var phi_1771_: f32;
+    var phi_1772_: bool;
+    var phi_1802_: vec3<f32>;
+    var phi_1803_: vec3<f32>;
+    var phi_1828_: vec3<f32>;
+    var phi_1829_: vec3<f32>;
+    var phi_1854_: vec3<f32>;
+    var phi_1855_: vec3<f32>;
+    var phi_1913_: f32;
     var phi_1922_: f32;
-    var phi_1935_: f32;
-    var phi_1944_: f32;
-    var phi_1953_: f32;
-    var phi_1962_: f32;
-    var phi_1969_: f32;
+    var phi_1931_: f32;
+    var phi_1940_: f32;
+    var phi_1947_: f32;
+    var phi_1954_: f32;
+    var phi_1967_: f32;
     var phi_1976_: f32;
-    var phi_1999_: f32;
-    var phi_2004_: f32;
-    var phi_2009_: f32;
-    var phi_2017_: f32;
-    var phi_2022_: f32;
-    var phi_2027_: f32;
-    var phi_2039_: f32;
-    var phi_2044_: f32;
+    var phi_1985_: f32;
+    var phi_1994_: f32;
+    var phi_2001_: f32;
+    var phi_2008_: f32;
+    var phi_2031_: f32;
+    var phi_2036_: f32;
+    var phi_2041_: f32;
     var phi_2049_: f32;
     var phi_2054_: f32;
-    var phi_2059_: lt_bvh_triangle_Intersection;
-    var phi_2060_: bool;
-    var phi_2061_: lt_bvh_triangle_Intersection;
-    var phi_2062_: bool;
-    var phi_2066_: lt_bvh_triangle_Intersection;
-    var phi_2067_: bool;
-    var phi_2068_: lt_bvh_triangle_Intersection;
-    var phi_2069_: bool;
-    var phi_2070_: bool;
-    var phi_2074_: bool;
-    var phi_2078_: lt_bvh_triangle_Intersection;
-    var phi_2117_: bool;
-    var phi_2118_: bool;
-    var phi_2119_: bool;
-    var phi_2120_: bool;
-    var phi_2121_: bool;
-    var phi_2122_: bool;
-    var phi_2126_: bool;
-    var phi_2127_: bool;
-    var phi_2330_: f32;
-    var phi_2333_: bool;
-    var phi_2334_: bool;
-    var phi_2338_: bool;
-    var phi_2346_: lt_bvh_Hit;
-    var phi_2347_: lt_bvh_Hit;
-    var phi_2348_: lt_bvh_Hit;
-    var phi_2349_: lt_bvh_Hit;
-    var phi_1492_: lt_bvh_Hit;
-    var phi_1495_: u32;
-    var phi_2350_: bool;
-    var phi_2389_: bool;
-    var phi_2390_: bool;
-    var phi_2421_: u32;
-    var phi_1155_: lt_bvh_Hit;
-    var phi_1158_: u32;
-    var phi_2422_: lt_bvh_Hit;
-    var phi_2423_: lt_bvh_Hit;
-    var phi_2424_: bool;
-    var phi_2428_: lt_bvh_Hit;
-    var phi_2493_: f32;
-    var phi_2498_: f32;
-    var phi_2503_: f32;
-    var phi_2514_: f32;
-    var phi_2519_: f32;
-    var phi_2524_: f32;
-    var phi_2600_: vec3<f32>;
-    var phi_2721_: u32;
-    var phi_2748_: f32;
-    var phi_2755_: f32;
-    var phi_2762_: f32;
-    var phi_2797_: f32;
-    var phi_2804_: f32;
-    var phi_2811_: f32;
-    var phi_2849_: f32;
-    var phi_2856_: f32;
-    var phi_2863_: f32;
-    var phi_2922_: vec3<f32>;
-    var phi_2923_: vec3<f32>;
-    var phi_2924_: vec3<f32>;
-    var phi_2933_: f32;
-    var phi_2934_: f32;
-    var phi_2944_: f32;
-    var phi_2945_: f32;
-    var phi_2955_: f32;
-    var phi_2956_: f32;
-    var phi_2991_: abi_Sample;
+    var phi_2059_: f32;
+    var phi_2071_: f32;
+    var phi_2076_: f32;
+    var phi_2081_: f32;
+    var phi_2086_: f32;
+    var phi_2091_: lt_bvh_triangle_Intersection;
+    var phi_2092_: bool;
+    var phi_2093_: lt_bvh_triangle_Intersection;
+    var phi_2094_: bool;
+    var phi_2098_: lt_bvh_triangle_Intersection;
+    var phi_2099_: bool;
+    var phi_2100_: lt_bvh_triangle_Intersection;
+    var phi_2101_: bool;
+    var phi_2102_: bool;
+    var phi_2106_: bool;
+    var phi_2110_: lt_bvh_triangle_Intersection;
+    var phi_2149_: bool;
+    var phi_2150_: bool;
+    var phi_2151_: bool;
+    var phi_2152_: bool;
+    var phi_2153_: bool;
+    var phi_2154_: bool;
+    var phi_2158_: bool;
+    var phi_2159_: bool;
+    var phi_2362_: f32;
+    var phi_2365_: bool;
+    var phi_2366_: bool;
+    var phi_2370_: bool;
+    var phi_2378_: lt_bvh_Hit;
+    var phi_2379_: lt_bvh_Hit;
+    var phi_2380_: lt_bvh_Hit;
+    var phi_2381_: lt_bvh_Hit;
+    var phi_1524_: lt_bvh_Hit;
+    var phi_1527_: u32;
+    var phi_2382_: bool;
+    var phi_2421_: bool;
+    var phi_2422_: bool;
+    var phi_2453_: u32;
+    var phi_1187_: lt_bvh_Hit;
+    var phi_1190_: u32;
+    var phi_2454_: lt_bvh_Hit;
+    var phi_2455_: lt_bvh_Hit;
+    var phi_2456_: bool;
+    var phi_2460_: lt_bvh_Hit;
+    var phi_2525_: f32;
+    var phi_2530_: f32;
+    var phi_2535_: f32;
+    var phi_2546_: f32;
+    var phi_2551_: f32;
+    var phi_2556_: f32;
+    var phi_2632_: vec3<f32>;
+    var phi_2753_: u32;
+    var phi_2780_: f32;
+    var phi_2787_: f32;
+    var phi_2794_: f32;
+    var phi_2829_: f32;
+    var phi_2836_: f32;
+    var phi_2843_: f32;
+    var phi_2881_: f32;
+    var phi_2888_: f32;
+    var phi_2895_: f32;
+    var phi_2954_: vec3<f32>;
+    var phi_2955_: vec3<f32>;
+    var phi_2956_: vec3<f32>;
+    var phi_2965_: f32;
+    var phi_2966_: f32;
+    var phi_2976_: f32;
+    var phi_2977_: f32;
+    var phi_2987_: f32;
+    var phi_2988_: f32;
+    var phi_3023_: abi_Sample;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -849,106 +850,106 @@ fn function_() {
                         if (_e165 < 1000000000000000f) {
                             if (_e167 < 1000000000000000f) {
                                 if (_e163 > 0f) {
-                                    phi_743_ = bool();
-                                    phi_744_ = true;
+                                    phi_775_ = bool();
+                                    phi_776_ = true;
                                 } else {
                                     let _e175 = (_e165 > 0f);
                                     if _e175 {
-                                        phi_742_ = bool();
+                                        phi_774_ = bool();
                                     } else {
-                                        phi_742_ = (_e167 > 0f);
+                                        phi_774_ = (_e167 > 0f);
                                     }
-                                    let _e178 = phi_742_;
-                                    phi_743_ = _e178;
-                                    phi_744_ = _e175;
+                                    let _e178 = phi_774_;
+                                    phi_775_ = _e178;
+                                    phi_776_ = _e175;
                                 }
-                                let _e180 = phi_743_;
-                                let _e182 = phi_744_;
+                                let _e180 = phi_775_;
+                                let _e182 = phi_776_;
                                 if _e182 {
-                                    phi_748_ = true;
+                                    phi_780_ = true;
                                 } else {
-                                    phi_748_ = _e180;
+                                    phi_780_ = _e180;
                                 }
-                                let _e184 = phi_748_;
-                                phi_749_ = _e184;
-                                phi_750_ = false;
+                                let _e184 = phi_780_;
+                                phi_781_ = _e184;
+                                phi_782_ = false;
                             } else {
-                                phi_749_ = bool();
-                                phi_750_ = true;
+                                phi_781_ = bool();
+                                phi_782_ = true;
                             }
-                            let _e186 = phi_749_;
-                            let _e188 = phi_750_;
-                            phi_751_ = _e186;
-                            phi_752_ = false;
-                            phi_753_ = _e188;
+                            let _e186 = phi_781_;
+                            let _e188 = phi_782_;
+                            phi_783_ = _e186;
+                            phi_784_ = false;
+                            phi_785_ = _e188;
                         } else {
-                            phi_751_ = bool();
-                            phi_752_ = true;
-                            phi_753_ = false;
+                            phi_783_ = bool();
+                            phi_784_ = true;
+                            phi_785_ = false;
                         }
-                        let _e190 = phi_751_;
-                        let _e192 = phi_752_;
-                        let _e194 = phi_753_;
-                        phi_754_ = _e190;
-                        phi_755_ = _e192;
-                        phi_756_ = _e194;
+                        let _e190 = phi_783_;
+                        let _e192 = phi_784_;
+                        let _e194 = phi_785_;
+                        phi_786_ = _e190;
+                        phi_787_ = _e192;
+                        phi_788_ = _e194;
                     } else {
-                        phi_754_ = bool();
-                        phi_755_ = true;
-                        phi_756_ = false;
+                        phi_786_ = bool();
+                        phi_787_ = true;
+                        phi_788_ = false;
                     }
-                    let _e196 = phi_754_;
-                    let _e198 = phi_755_;
-                    let _e200 = phi_756_;
-                    phi_757_ = _e196;
-                    phi_758_ = _e198;
-                    phi_759_ = _e200;
+                    let _e196 = phi_786_;
+                    let _e198 = phi_787_;
+                    let _e200 = phi_788_;
+                    phi_789_ = _e196;
+                    phi_790_ = _e198;
+                    phi_791_ = _e200;
                 } else {
-                    phi_757_ = bool();
-                    phi_758_ = true;
-                    phi_759_ = false;
+                    phi_789_ = bool();
+                    phi_790_ = true;
+                    phi_791_ = false;
                 }
-                let _e202 = phi_757_;
-                let _e204 = phi_758_;
-                let _e206 = phi_759_;
-                phi_760_ = _e202;
-                phi_761_ = _e204;
-                phi_762_ = _e206;
+                let _e202 = phi_789_;
+                let _e204 = phi_790_;
+                let _e206 = phi_791_;
+                phi_792_ = _e202;
+                phi_793_ = _e204;
+                phi_794_ = _e206;
             } else {
-                phi_760_ = bool();
-                phi_761_ = true;
-                phi_762_ = false;
+                phi_792_ = bool();
+                phi_793_ = true;
+                phi_794_ = false;
             }
-            let _e208 = phi_760_;
-            let _e210 = phi_761_;
-            let _e212 = phi_762_;
-            phi_763_ = _e208;
-            phi_764_ = _e210;
-            phi_765_ = _e212;
+            let _e208 = phi_792_;
+            let _e210 = phi_793_;
+            let _e212 = phi_794_;
+            phi_795_ = _e208;
+            phi_796_ = _e210;
+            phi_797_ = _e212;
         } else {
-            phi_763_ = bool();
-            phi_764_ = true;
-            phi_765_ = false;
+            phi_795_ = bool();
+            phi_796_ = true;
+            phi_797_ = false;
         }
-        let _e214 = phi_763_;
-        let _e216 = phi_764_;
-        let _e218 = phi_765_;
+        let _e214 = phi_795_;
+        let _e216 = phi_796_;
+        let _e218 = phi_797_;
         if _e216 {
-            phi_769_ = true;
+            phi_801_ = true;
         } else {
-            phi_769_ = _e218;
+            phi_801_ = _e218;
         }
-        let _e220 = phi_769_;
+        let _e220 = phi_801_;
         if _e220 {
-            phi_773_ = false;
+            phi_805_ = false;
         } else {
-            phi_773_ = _e214;
+            phi_805_ = _e214;
         }
-        let _e222 = phi_773_;
+        let _e222 = phi_805_;
         if _e222 {
             let _e223 = (0u >= _e75);
             if _e223 {
-                phi_2422_ = lt_bvh_Hit();
+                phi_2454_ = lt_bvh_Hit();
             } else {
                 if (0u < _e75) {
                 } else {
@@ -965,41 +966,41 @@ fn function_() {
                 let _e292 = core_intrinsics_maximum_number_nsz_f32_(_e291, abs(_e151.direction.z));
                 let _e293 = (_e292 * 0.0000000000009094947f);
                 if (abs(_e151.direction.x) < _e293) {
-                    phi_848_ = _e293;
+                    phi_880_ = _e293;
                 } else {
-                    phi_848_ = abs(_e151.direction.x);
+                    phi_880_ = abs(_e151.direction.x);
                 }
-                let _e300 = phi_848_;
+                let _e300 = phi_880_;
                 if (_e151.direction.x < 0f) {
-                    phi_855_ = (-1f / _e300);
+                    phi_887_ = (-1f / _e300);
                 } else {
-                    phi_855_ = (1f / _e300);
+                    phi_887_ = (1f / _e300);
                 }
-                let _e305 = phi_855_;
+                let _e305 = phi_887_;
                 if (abs(_e151.direction.y) < _e293) {
-                    phi_863_ = _e293;
+                    phi_895_ = _e293;
                 } else {
-                    phi_863_ = abs(_e151.direction.y);
+                    phi_895_ = abs(_e151.direction.y);
                 }
-                let _e312 = phi_863_;
+                let _e312 = phi_895_;
                 if (_e151.direction.y < 0f) {
-                    phi_870_ = (-1f / _e312);
+                    phi_902_ = (-1f / _e312);
                 } else {
-                    phi_870_ = (1f / _e312);
+                    phi_902_ = (1f / _e312);
                 }
-                let _e317 = phi_870_;
+                let _e317 = phi_902_;
                 if (abs(_e151.direction.z) < _e293) {
-                    phi_878_ = _e293;
+                    phi_910_ = _e293;
                 } else {
-                    phi_878_ = abs(_e151.direction.z);
+                    phi_910_ = abs(_e151.direction.z);
                 }
-                let _e324 = phi_878_;
+                let _e324 = phi_910_;
                 if (_e151.direction.z < 0f) {
-                    phi_885_ = (-1f / _e324);
+                    phi_917_ = (-1f / _e324);
                 } else {
-                    phi_885_ = (1f / _e324);
+                    phi_917_ = (1f / _e324);
                 }
-                let _e329 = phi_885_;
+                let _e329 = phi_917_;
                 let _e337 = abs((bitcast<f32>(_e229) - _e151.origin.x));
                 let _e338 = abs((bitcast<f32>(_e233) - _e151.origin.y));
                 let _e339 = abs((bitcast<f32>(_e237) - _e151.origin.z));
@@ -1007,23 +1008,23 @@ fn function_() {
                 let _e348 = abs(((bitcast<f32>(_e245) + (bitcast<f32>((((_e253 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.y));
                 let _e349 = abs(((bitcast<f32>(_e249) + (bitcast<f32>((((_e253 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.z));
                 if (_e337 > _e347) {
-                    phi_910_ = _e337;
+                    phi_942_ = _e337;
                 } else {
-                    phi_910_ = _e347;
+                    phi_942_ = _e347;
                 }
-                let _e352 = phi_910_;
+                let _e352 = phi_942_;
                 if (_e338 > _e348) {
-                    phi_915_ = _e338;
+                    phi_947_ = _e338;
                 } else {
-                    phi_915_ = _e348;
+                    phi_947_ = _e348;
                 }
-                let _e355 = phi_915_;
+                let _e355 = phi_947_;
                 if (_e339 > _e349) {
-                    phi_920_ = _e339;
+                    phi_952_ = _e339;
                 } else {
-                    phi_920_ = _e349;
+                    phi_952_ = _e349;
                 }
-                let _e358 = phi_920_;
+                let _e358 = phi_952_;
                 let _e359 = core_intrinsics_maximum_number_nsz_f32_(_e352, _e355);
                 let _e360 = core_intrinsics_maximum_number_nsz_f32_(_e359, _e358);
                 let _e365 = (_e360 * 0.0000019073486f);
@@ -1039,60 +1040,60 @@ fn function_() {
                 let _e382 = abs(_e151.direction.z);
                 if (_e378 >= _e380) {
                     if (_e378 >= _e382) {
-                        phi_953_ = false;
+                        phi_985_ = false;
                     } else {
-                        phi_953_ = true;
+                        phi_985_ = true;
                     }
-                    let _e386 = phi_953_;
-                    phi_954_ = _e386;
+                    let _e386 = phi_985_;
+                    phi_986_ = _e386;
                 } else {
-                    phi_954_ = true;
+                    phi_986_ = true;
                 }
-                let _e388 = phi_954_;
+                let _e388 = phi_986_;
                 if _e388 {
                     if (_e380 >= _e382) {
-                        phi_962_ = 1u;
+                        phi_994_ = 1u;
                     } else {
-                        phi_962_ = 2u;
+                        phi_994_ = 2u;
                     }
-                    let _e391 = phi_962_;
-                    phi_963_ = _e391;
+                    let _e391 = phi_994_;
+                    phi_995_ = _e391;
                 } else {
-                    phi_963_ = 0u;
+                    phi_995_ = 0u;
                 }
-                let _e393 = phi_963_;
+                let _e393 = phi_995_;
                 if (_e393 == 0u) {
-                    phi_982_ = vec3<f32>(_e151.direction.y, _e151.direction.z, _e151.direction.x);
+                    phi_1014_ = vec3<f32>(_e151.direction.y, _e151.direction.z, _e151.direction.x);
                 } else {
                     if (_e393 == 1u) {
-                        phi_981_ = vec3<f32>(_e151.direction.z, _e151.direction.x, _e151.direction.y);
+                        phi_1013_ = vec3<f32>(_e151.direction.z, _e151.direction.x, _e151.direction.y);
                     } else {
-                        phi_981_ = _e151.direction;
+                        phi_1013_ = _e151.direction;
                     }
-                    let _e406 = phi_981_;
-                    phi_982_ = _e406;
+                    let _e406 = phi_1013_;
+                    phi_1014_ = _e406;
                 }
-                let _e408 = phi_982_;
+                let _e408 = phi_1014_;
                 let _e412 = (_e408.x / _e408.z);
                 let _e415 = (_e408.y / _e408.z);
                 if (_e305 < 0f) {
-                    phi_996_ = 0u;
+                    phi_1028_ = 0u;
                 } else {
-                    phi_996_ = 1u;
+                    phi_1028_ = 1u;
                 }
-                let _e420 = phi_996_;
+                let _e420 = phi_1028_;
                 if (_e317 < 0f) {
-                    phi_1001_ = 0u;
+                    phi_1033_ = 0u;
                 } else {
-                    phi_1001_ = 2u;
+                    phi_1033_ = 2u;
                 }
-                let _e423 = phi_1001_;
+                let _e423 = phi_1033_;
                 if (_e329 < 0f) {
-                    phi_1006_ = 0u;
+                    phi_1038_ = 0u;
                 } else {
-                    phi_1006_ = 4u;
+                    phi_1038_ = 4u;
                 }
-                let _e426 = phi_1006_;
+                let _e426 = phi_1038_;
                 let _e428 = ((_e420 | _e423) | _e426);
                 let _e429 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
                 local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e429.first[0], _e429.first[1], _e429.first[2], _e429.first[3], _e429.first[4], _e429.first[5], _e429.first[6], _e429.first[7], _e429.first[8], _e429.first[9], _e429.first[10], _e429.first[11], _e429.first[12], _e429.first[13], _e429.first[14], _e429.first[15], _e429.first[16], _e429.first[17], _e429.first[18], _e429.first[19], _e429.first[20], _e429.first[21], _e429.first[22], _e429.first[23], _e429.first[24], _e429.first[25], _e429.first[26], _e429.first[27], _e429.first[28], _e429.first[29], _e429.first[30], _e429.first[31]), array<u32, 32>(_e429.mask[0], _e429.mask[1], _e429.mask[2], _e429.mask[3], _e429.mask[4], _e429.mask[5], _e429.mask[6], _e429.mask[7], _e429.mask[8], _e429.mask[9], _e429.mask[10], _e429.mask[11], _e429.mask[12], _e429.mask[13], _e429.mask[14], _e429.mask[15], _e429.mask[16], _e429.mask[17], _e429.mask[18], _e429.mask[19], _e429.mask[20], _e429.mask[21], _e429.mask[22], _e429.mask[23], _e429.mask[24], _e429.mask[25], _e429.mask[26], _e429.mask[27], _e429.mask[28], _e429.mask[29], _e429.mask[30], _e429.mask[31]), _e429.len, _e429.group, _e429.group_mask);
@@ -1100,7 +1101,7 @@ fn function_() {
                 if ((_e503 & 4278190080u) == 0u) {
                     let _e507 = local_1.len;
                     if (_e507 == 0u) {
-                        phi_1120_ = false;
+                        phi_1152_ = false;
                     } else {
                         let _e511 = local_1.len;
                         local_1.len = (_e511 - 1u);
@@ -1118,14 +1119,14 @@ fn function_() {
                         }
                         let _e527 = local_1.mask[(0u + _e522)];
                         local_1.group_mask = _e527;
-                        phi_1120_ = true;
+                        phi_1152_ = true;
                     }
-                    let _e530 = phi_1120_;
-                    phi_1121_ = _e530;
+                    let _e530 = phi_1152_;
+                    phi_1153_ = _e530;
                 } else {
-                    phi_1121_ = true;
+                    phi_1153_ = true;
                 }
-                let _e532 = phi_1121_;
+                let _e532 = phi_1153_;
                 if _e532 {
                     let _e534 = local_1.group_mask;
                     let _e540 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e534)), 32u, (_e534 == 0u)));
@@ -1133,16 +1134,16 @@ fn function_() {
                     let _e558 = local_1.group_mask;
                     local_1.group_mask = (_e558 & ~((1u << bitcast<u32>((_e540 & 31u)))));
                     let _e561 = local_1.group;
-                    phi_1152_ = (_e561 + countOneBits(((_e544 & ~((4294967295u << bitcast<u32>((((_e540 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    phi_1184_ = (_e561 + countOneBits(((_e544 & ~((4294967295u << bitcast<u32>((((_e540 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1152_ = 4294967295u;
+                    phi_1184_ = 4294967295u;
                 }
-                let _e564 = phi_1152_;
-                phi_1154_ = _e153;
-                phi_1157_ = _e564;
+                let _e564 = phi_1184_;
+                phi_1186_ = _e153;
+                phi_1189_ = _e564;
                 loop {
-                    let _e566 = phi_1154_;
-                    let _e568 = phi_1157_;
+                    let _e566 = phi_1186_;
+                    let _e568 = phi_1189_;
                     local_6 = _e566;
                     let _e569 = (_e568 != 4294967295u);
                     if _e569 {
@@ -1165,45 +1166,45 @@ fn function_() {
                             let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e644.unnamed.root, _e633.w), _e644.unnamed_1);
                             let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e633.x, _e650.unnamed_1.first_primitive));
-                            phi_1242_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_bvh_traverse_Tree(_e656.unnamed_1.root, _e633.y));
+                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_bvh_traverse_Tree(_e656.unnamed_1.root, _e633.y));
                         } else {
                             let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e672.unnamed.root, _e633.y), _e672.unnamed_1);
                             let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_bvh_traverse_Tree(_e633.z, _e678.unnamed_1.first_primitive));
-                            phi_1242_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_bvh_traverse_Tree(_e684.unnamed_1.root, _e633.w));
+                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_bvh_traverse_Tree(_e684.unnamed_1.root, _e633.w));
                         }
-                        let _e692 = phi_1242_;
+                        let _e692 = phi_1274_;
                         let _e702 = nodes.member[(0u + _e568)].y;
                         if (_e317 < 0f) {
                             let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e713.unnamed.root, _e702.w), _e713.unnamed_1);
                             let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e702.x, _e719.unnamed_1.first_primitive));
-                            phi_1269_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_bvh_traverse_Tree(_e725.unnamed_1.root, _e702.y));
+                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_bvh_traverse_Tree(_e725.unnamed_1.root, _e702.y));
                         } else {
                             let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e741.unnamed.root, _e702.y), _e741.unnamed_1);
                             let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_bvh_traverse_Tree(_e702.z, _e747.unnamed_1.first_primitive));
-                            phi_1269_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_bvh_traverse_Tree(_e753.unnamed_1.root, _e702.w));
+                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_bvh_traverse_Tree(_e753.unnamed_1.root, _e702.w));
                         }
-                        let _e761 = phi_1269_;
+                        let _e761 = phi_1301_;
                         let _e771 = nodes.member[(0u + _e568)].z;
                         if (_e329 < 0f) {
                             let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e782.unnamed.root, _e771.w), _e782.unnamed_1);
                             let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_bvh_traverse_Tree(_e771.x, _e788.unnamed_1.first_primitive));
-                            phi_1296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_bvh_traverse_Tree(_e794.unnamed_1.root, _e771.y));
+                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_bvh_traverse_Tree(_e794.unnamed_1.root, _e771.y));
                         } else {
                             let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e816 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e810.unnamed.root, _e771.y), _e810.unnamed_1);
                             let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e816.unnamed, lt_bvh_traverse_Tree(_e771.z, _e816.unnamed_1.first_primitive));
-                            phi_1296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e822.unnamed, lt_bvh_traverse_Tree(_e822.unnamed_1.root, _e771.w));
+                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e822.unnamed, lt_bvh_traverse_Tree(_e822.unnamed_1.root, _e771.w));
                         }
-                        let _e830 = phi_1296_;
-                        phi_1302_ = 0u;
-                        phi_1305_ = 0u;
+                        let _e830 = phi_1328_;
+                        phi_1334_ = 0u;
+                        phi_1337_ = 0u;
                         loop {
-                            let _e840 = phi_1302_;
-                            let _e842 = phi_1305_;
+                            let _e840 = phi_1334_;
+                            let _e842 = phi_1337_;
                             local_2 = _e842;
                             local_3 = _e842;
                             local_4 = _e842;
@@ -1212,43 +1213,43 @@ fn function_() {
                                 let _e845 = (_e840 >> bitcast<u32>(2i));
                                 let _e846 = (_e840 & 3u);
                                 if (_e845 == 0u) {
-                                    phi_1319_ = _e692.unnamed.root;
+                                    phi_1351_ = _e692.unnamed.root;
                                 } else {
-                                    phi_1319_ = _e692.unnamed.first_primitive;
+                                    phi_1351_ = _e692.unnamed.first_primitive;
                                 }
-                                let _e849 = phi_1319_;
+                                let _e849 = phi_1351_;
                                 if (_e845 == 0u) {
-                                    phi_1329_ = _e761.unnamed.root;
+                                    phi_1361_ = _e761.unnamed.root;
                                 } else {
-                                    phi_1329_ = _e761.unnamed.first_primitive;
+                                    phi_1361_ = _e761.unnamed.first_primitive;
                                 }
-                                let _e858 = phi_1329_;
+                                let _e858 = phi_1361_;
                                 if (_e845 == 0u) {
-                                    phi_1339_ = _e830.unnamed.root;
+                                    phi_1371_ = _e830.unnamed.root;
                                 } else {
-                                    phi_1339_ = _e830.unnamed.first_primitive;
+                                    phi_1371_ = _e830.unnamed.first_primitive;
                                 }
-                                let _e867 = phi_1339_;
+                                let _e867 = phi_1371_;
                                 let _e880 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e849 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e602) + (_e623 - _e366)), ((f32(((_e858 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e603) + (_e624 - _e367)));
                                 let _e881 = core_intrinsics_maximum_number_nsz_f32_(_e880, ((f32(((_e867 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e604) + (_e625 - _e368)));
                                 if (_e845 == 0u) {
-                                    phi_1357_ = _e692.unnamed_1.root;
+                                    phi_1389_ = _e692.unnamed_1.root;
                                 } else {
-                                    phi_1357_ = _e692.unnamed_1.first_primitive;
+                                    phi_1389_ = _e692.unnamed_1.first_primitive;
                                 }
-                                let _e884 = phi_1357_;
+                                let _e884 = phi_1389_;
                                 if (_e845 == 0u) {
-                                    phi_1367_ = _e761.unnamed_1.root;
+                                    phi_1399_ = _e761.unnamed_1.root;
                                 } else {
-                                    phi_1367_ = _e761.unnamed_1.first_primitive;
+                                    phi_1399_ = _e761.unnamed_1.first_primitive;
                                 }
-                                let _e893 = phi_1367_;
+                                let _e893 = phi_1399_;
                                 if (_e845 == 0u) {
-                                    phi_1377_ = _e830.unnamed_1.root;
+                                    phi_1409_ = _e830.unnamed_1.root;
                                 } else {
-                                    phi_1377_ = _e830.unnamed_1.first_primitive;
+                                    phi_1409_ = _e830.unnamed_1.first_primitive;
                                 }
-                                let _e902 = phi_1377_;
+                                let _e902 = phi_1409_;
                                 let _e915 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e884 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e602) + (_e623 + _e366)), ((f32(((_e893 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e603) + (_e624 + _e367)));
                                 let _e916 = core_intrinsics_minimum_number_nsz_f32_(_e915, ((f32(((_e902 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e604) + (_e625 + _e368)));
                                 if (_e881 <= _e916) {
@@ -1256,47 +1257,47 @@ fn function_() {
                                         if (_e916 >= _e151.tmin) {
                                             if (_e845 == 0u) {
                                                 let _e923 = nodes.member[(0u + _e568)].links[2u];
-                                                phi_1413_ = _e923;
+                                                phi_1445_ = _e923;
                                             } else {
                                                 let _e926 = nodes.member[(0u + _e568)].links[3u];
-                                                phi_1413_ = _e926;
+                                                phi_1445_ = _e926;
                                             }
-                                            let _e928 = phi_1413_;
+                                            let _e928 = phi_1445_;
                                             let _e933 = ((_e928 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u);
                                             let _e934 = (_e933 & 31u);
                                             if (_e934 >= 24u) {
-                                                phi_1426_ = (24u + ((_e934 - 24u) ^ _e428));
+                                                phi_1458_ = (24u + ((_e934 - 24u) ^ _e428));
                                             } else {
-                                                phi_1426_ = _e934;
+                                                phi_1458_ = _e934;
                                             }
-                                            let _e940 = phi_1426_;
-                                            phi_1431_ = (_e842 | ((_e933 >> bitcast<u32>(5i)) << bitcast<u32>((_e940 & 31u))));
+                                            let _e940 = phi_1458_;
+                                            phi_1463_ = (_e842 | ((_e933 >> bitcast<u32>(5i)) << bitcast<u32>((_e940 & 31u))));
                                         } else {
-                                            phi_1431_ = _e842;
+                                            phi_1463_ = _e842;
                                         }
-                                        let _e948 = phi_1431_;
-                                        phi_1432_ = _e948;
+                                        let _e948 = phi_1463_;
+                                        phi_1464_ = _e948;
                                     } else {
-                                        phi_1432_ = _e842;
+                                        phi_1464_ = _e842;
                                     }
-                                    let _e950 = phi_1432_;
-                                    phi_1433_ = _e950;
+                                    let _e950 = phi_1464_;
+                                    phi_1465_ = _e950;
                                 } else {
-                                    phi_1433_ = _e842;
+                                    phi_1465_ = _e842;
                                 }
-                                let _e952 = phi_1433_;
-                                phi_1303_ = (_e840 + 1u);
-                                phi_1306_ = _e952;
+                                let _e952 = phi_1465_;
+                                phi_1335_ = (_e840 + 1u);
+                                phi_1338_ = _e952;
                             } else {
-                                phi_1303_ = u32();
-                                phi_1306_ = u32();
+                                phi_1335_ = u32();
+                                phi_1338_ = u32();
                             }
-                            let _e955 = phi_1303_;
-                            let _e957 = phi_1306_;
+                            let _e955 = phi_1335_;
+                            let _e957 = phi_1338_;
                             continue;
                             continuing {
-                                phi_1302_ = _e955;
-                                phi_1305_ = _e957;
+                                phi_1334_ = _e955;
+                                phi_1337_ = _e957;
                                 break if !(_e843);
                             }
                         }
@@ -1333,16 +1334,16 @@ fn function_() {
                             local_1.group_mask = ((_e1001 & 4278190080u) | (_e965 >> bitcast<u32>(24i)));
                         }
                         let _e1006 = local_4;
-                        phi_1491_ = _e566;
-                        phi_1494_ = (_e1006 & 16777215u);
+                        phi_1523_ = _e566;
+                        phi_1526_ = (_e1006 & 16777215u);
                         loop {
-                            let _e1009 = phi_1491_;
-                            let _e1011 = phi_1494_;
+                            let _e1009 = phi_1523_;
+                            let _e1011 = phi_1526_;
                             local_5 = _e1009;
                             if (_e1011 == 0u) {
-                                phi_1492_ = lt_bvh_Hit();
-                                phi_1495_ = u32();
-                                phi_2350_ = false;
+                                phi_1524_ = lt_bvh_Hit();
+                                phi_1527_ = u32();
+                                phi_2382_ = false;
                             } else {
                                 let _e1015 = nodes.member[(0u + _e568)].links[1u];
                                 let _e1020 = ((0u + _e1015) + select(firstTrailingBit(_e1011), 32u, (_e1011 == 0u)));
@@ -1355,17 +1356,17 @@ fn function_() {
                                 let _e1033 = (_e1027.y - _e151.origin.y);
                                 let _e1036 = (_e1027.z - _e151.origin.z);
                                 if (_e393 == 0u) {
-                                    phi_1541_ = vec3<f32>(_e1033, _e1036, _e1030);
+                                    phi_1573_ = vec3<f32>(_e1033, _e1036, _e1030);
                                 } else {
                                     if (_e393 == 1u) {
-                                        phi_1540_ = vec3<f32>(_e1036, _e1030, _e1033);
+                                        phi_1572_ = vec3<f32>(_e1036, _e1030, _e1033);
                                     } else {
-                                        phi_1540_ = (_e1027 - _e151.origin);
+                                        phi_1572_ = (_e1027 - _e151.origin);
                                     }
-                                    let _e1043 = phi_1540_;
-                                    phi_1541_ = _e1043;
+                                    let _e1043 = phi_1572_;
+                                    phi_1573_ = _e1043;
                                 }
-                                let _e1045 = phi_1541_;
+                                let _e1045 = phi_1573_;
                                 let _e1049 = (_e1045.x - (_e412 * _e1045.z));
                                 let _e1053 = (_e1045.y - (_e415 * _e1045.z));
                                 let _e1055 = triangles.member[(0u + _e1020)].v1_;
@@ -1373,17 +1374,17 @@ fn function_() {
                                 let _e1061 = (_e1055.y - _e151.origin.y);
                                 let _e1064 = (_e1055.z - _e151.origin.z);
                                 if (_e393 == 0u) {
-                                    phi_1573_ = vec3<f32>(_e1061, _e1064, _e1058);
+                                    phi_1605_ = vec3<f32>(_e1061, _e1064, _e1058);
                                 } else {
                                     if (_e393 == 1u) {
-                                        phi_1572_ = vec3<f32>(_e1064, _e1058, _e1061);
+                                        phi_1604_ = vec3<f32>(_e1064, _e1058, _e1061);
                                     } else {
-                                        phi_1572_ = (_e1055 - _e151.origin);
+                                        phi_1604_ = (_e1055 - _e151.origin);
                                     }
-                                    let _e1071 = phi_1572_;
-                                    phi_1573_ = _e1071;
+                                    let _e1071 = phi_1604_;
+                                    phi_1605_ = _e1071;
                                 }
-                                let _e1073 = phi_1573_;
+                                let _e1073 = phi_1605_;
                                 let _e1077 = (_e1073.x - (_e412 * _e1073.z));
                                 let _e1081 = (_e1073.y - (_e415 * _e1073.z));
                                 let _e1083 = triangles.member[(0u + _e1020)].v2_;
@@ -1391,246 +1392,246 @@ fn function_() {
                                 let _e1089 = (_e1083.y - _e151.origin.y);
                                 let _e1092 = (_e1083.z - _e151.origin.z);
                                 if (_e393 == 0u) {
-                                    phi_1605_ = vec3<f32>(_e1089, _e1092, _e1086);
+                                    phi_1637_ = vec3<f32>(_e1089, _e1092, _e1086);
                                 } else {
                                     if (_e393 == 1u) {
-                                        phi_1604_ = vec3<f32>(_e1092, _e1086, _e1089);
+                                        phi_1636_ = vec3<f32>(_e1092, _e1086, _e1089);
                                     } else {
-                                        phi_1604_ = (_e1083 - _e151.origin);
+                                        phi_1636_ = (_e1083 - _e151.origin);
                                     }
-                                    let _e1099 = phi_1604_;
-                                    phi_1605_ = _e1099;
+                                    let _e1099 = phi_1636_;
+                                    phi_1637_ = _e1099;
                                 }
-                                let _e1101 = phi_1605_;
+                                let _e1101 = phi_1637_;
                                 let _e1105 = (_e1101.x - (_e412 * _e1101.z));
                                 let _e1109 = (_e1101.y - (_e415 * _e1101.z));
                                 if (_e1077 < _e1105) {
-                                    phi_1624_ = true;
+                                    phi_1656_ = true;
                                 } else {
                                     if (_e1077 == _e1105) {
-                                        phi_1623_ = (_e1081 < _e1109);
+                                        phi_1655_ = (_e1081 < _e1109);
                                     } else {
-                                        phi_1623_ = false;
+                                        phi_1655_ = false;
                                     }
-                                    let _e1114 = phi_1623_;
-                                    phi_1624_ = _e1114;
+                                    let _e1114 = phi_1655_;
+                                    phi_1656_ = _e1114;
                                 }
-                                let _e1116 = phi_1624_;
+                                let _e1116 = phi_1656_;
                                 if _e1116 {
-                                    phi_1628_ = _e1109;
-                                    phi_1629_ = _e1105;
-                                    phi_1630_ = _e1081;
-                                    phi_1631_ = _e1077;
+                                    phi_1660_ = _e1109;
+                                    phi_1661_ = _e1105;
+                                    phi_1662_ = _e1081;
+                                    phi_1663_ = _e1077;
                                 } else {
-                                    phi_1628_ = _e1081;
-                                    phi_1629_ = _e1077;
-                                    phi_1630_ = _e1109;
-                                    phi_1631_ = _e1105;
+                                    phi_1660_ = _e1081;
+                                    phi_1661_ = _e1077;
+                                    phi_1662_ = _e1109;
+                                    phi_1663_ = _e1105;
                                 }
-                                let _e1118 = phi_1628_;
-                                let _e1120 = phi_1629_;
-                                let _e1122 = phi_1630_;
-                                let _e1124 = phi_1631_;
+                                let _e1118 = phi_1660_;
+                                let _e1120 = phi_1661_;
+                                let _e1122 = phi_1662_;
+                                let _e1124 = phi_1663_;
                                 let _e1127 = ((_e1124 * _e1118) - (_e1122 * _e1120));
                                 if _e1116 {
-                                    phi_1639_ = -(_e1127);
+                                    phi_1671_ = -(_e1127);
                                 } else {
-                                    phi_1639_ = _e1127;
+                                    phi_1671_ = _e1127;
                                 }
-                                let _e1130 = phi_1639_;
+                                let _e1130 = phi_1671_;
                                 if (_e1105 < _e1049) {
-                                    phi_1650_ = true;
+                                    phi_1682_ = true;
                                 } else {
                                     if (_e1105 == _e1049) {
-                                        phi_1649_ = (_e1109 < _e1053);
+                                        phi_1681_ = (_e1109 < _e1053);
                                     } else {
-                                        phi_1649_ = false;
+                                        phi_1681_ = false;
                                     }
-                                    let _e1135 = phi_1649_;
-                                    phi_1650_ = _e1135;
+                                    let _e1135 = phi_1681_;
+                                    phi_1682_ = _e1135;
                                 }
-                                let _e1137 = phi_1650_;
+                                let _e1137 = phi_1682_;
                                 if _e1137 {
-                                    phi_1654_ = _e1053;
-                                    phi_1655_ = _e1049;
-                                    phi_1656_ = _e1109;
-                                    phi_1657_ = _e1105;
+                                    phi_1686_ = _e1053;
+                                    phi_1687_ = _e1049;
+                                    phi_1688_ = _e1109;
+                                    phi_1689_ = _e1105;
                                 } else {
-                                    phi_1654_ = _e1109;
-                                    phi_1655_ = _e1105;
-                                    phi_1656_ = _e1053;
-                                    phi_1657_ = _e1049;
+                                    phi_1686_ = _e1109;
+                                    phi_1687_ = _e1105;
+                                    phi_1688_ = _e1053;
+                                    phi_1689_ = _e1049;
                                 }
-                                let _e1139 = phi_1654_;
-                                let _e1141 = phi_1655_;
-                                let _e1143 = phi_1656_;
-                                let _e1145 = phi_1657_;
+                                let _e1139 = phi_1686_;
+                                let _e1141 = phi_1687_;
+                                let _e1143 = phi_1688_;
+                                let _e1145 = phi_1689_;
                                 let _e1148 = ((_e1145 * _e1139) - (_e1143 * _e1141));
                                 if _e1137 {
-                                    phi_1665_ = -(_e1148);
+                                    phi_1697_ = -(_e1148);
                                 } else {
-                                    phi_1665_ = _e1148;
+                                    phi_1697_ = _e1148;
                                 }
-                                let _e1151 = phi_1665_;
+                                let _e1151 = phi_1697_;
                                 if (_e1049 < _e1077) {
-                                    phi_1676_ = true;
+                                    phi_1708_ = true;
                                 } else {
                                     if (_e1049 == _e1077) {
-                                        phi_1675_ = (_e1053 < _e1081);
+                                        phi_1707_ = (_e1053 < _e1081);
                                     } else {
-                                        phi_1675_ = false;
+                                        phi_1707_ = false;
                                     }
-                                    let _e1156 = phi_1675_;
-                                    phi_1676_ = _e1156;
+                                    let _e1156 = phi_1707_;
+                                    phi_1708_ = _e1156;
                                 }
-                                let _e1158 = phi_1676_;
+                                let _e1158 = phi_1708_;
                                 if _e1158 {
-                                    phi_1680_ = _e1081;
-                                    phi_1681_ = _e1077;
-                                    phi_1682_ = _e1053;
-                                    phi_1683_ = _e1049;
+                                    phi_1712_ = _e1081;
+                                    phi_1713_ = _e1077;
+                                    phi_1714_ = _e1053;
+                                    phi_1715_ = _e1049;
                                 } else {
-                                    phi_1680_ = _e1053;
-                                    phi_1681_ = _e1049;
-                                    phi_1682_ = _e1081;
-                                    phi_1683_ = _e1077;
+                                    phi_1712_ = _e1053;
+                                    phi_1713_ = _e1049;
+                                    phi_1714_ = _e1081;
+                                    phi_1715_ = _e1077;
                                 }
-                                let _e1160 = phi_1680_;
-                                let _e1162 = phi_1681_;
-                                let _e1164 = phi_1682_;
-                                let _e1166 = phi_1683_;
+                                let _e1160 = phi_1712_;
+                                let _e1162 = phi_1713_;
+                                let _e1164 = phi_1714_;
+                                let _e1166 = phi_1715_;
                                 let _e1169 = ((_e1166 * _e1160) - (_e1164 * _e1162));
                                 if _e1158 {
-                                    phi_1691_ = -(_e1169);
+                                    phi_1723_ = -(_e1169);
                                 } else {
-                                    phi_1691_ = _e1169;
+                                    phi_1723_ = _e1169;
                                 }
-                                let _e1172 = phi_1691_;
+                                let _e1172 = phi_1723_;
                                 if (_e1130 >= 0f) {
                                     if (_e1151 >= 0f) {
                                         if (_e1172 >= 0f) {
-                                            phi_1706_ = ((_e1130 + _e1151) + _e1172);
-                                            phi_1707_ = false;
+                                            phi_1738_ = ((_e1130 + _e1151) + _e1172);
+                                            phi_1739_ = false;
                                         } else {
-                                            phi_1706_ = f32();
-                                            phi_1707_ = true;
+                                            phi_1738_ = f32();
+                                            phi_1739_ = true;
                                         }
-                                        let _e1179 = phi_1706_;
-                                        let _e1181 = phi_1707_;
-                                        phi_1708_ = _e1179;
-                                        phi_1709_ = _e1181;
+                                        let _e1179 = phi_1738_;
+                                        let _e1181 = phi_1739_;
+                                        phi_1740_ = _e1179;
+                                        phi_1741_ = _e1181;
                                     } else {
-                                        phi_1708_ = f32();
-                                        phi_1709_ = true;
+                                        phi_1740_ = f32();
+                                        phi_1741_ = true;
                                     }
-                                    let _e1183 = phi_1708_;
-                                    let _e1185 = phi_1709_;
-                                    phi_1710_ = _e1183;
-                                    phi_1711_ = _e1185;
+                                    let _e1183 = phi_1740_;
+                                    let _e1185 = phi_1741_;
+                                    phi_1742_ = _e1183;
+                                    phi_1743_ = _e1185;
                                 } else {
-                                    phi_1710_ = f32();
-                                    phi_1711_ = true;
+                                    phi_1742_ = f32();
+                                    phi_1743_ = true;
                                 }
-                                let _e1187 = phi_1710_;
-                                let _e1189 = phi_1711_;
+                                let _e1187 = phi_1742_;
+                                let _e1189 = phi_1743_;
                                 if _e1189 {
                                     if (_e1130 <= 0f) {
                                         if (_e1151 <= 0f) {
                                             let _e1192 = (_e1172 <= 0f);
                                             if _e1192 {
                                             }
-                                            phi_1729_ = ((_e1130 + _e1151) + _e1172);
-                                            phi_1730_ = false;
-                                            phi_1731_ = _e1192;
+                                            phi_1761_ = ((_e1130 + _e1151) + _e1172);
+                                            phi_1762_ = false;
+                                            phi_1763_ = _e1192;
                                         } else {
-                                            phi_1729_ = f32();
-                                            phi_1730_ = true;
-                                            phi_1731_ = false;
+                                            phi_1761_ = f32();
+                                            phi_1762_ = true;
+                                            phi_1763_ = false;
                                         }
-                                        let _e1196 = phi_1729_;
-                                        let _e1198 = phi_1730_;
-                                        let _e1200 = phi_1731_;
-                                        phi_1732_ = _e1196;
-                                        phi_1733_ = _e1198;
-                                        phi_1734_ = _e1200;
+                                        let _e1196 = phi_1761_;
+                                        let _e1198 = phi_1762_;
+                                        let _e1200 = phi_1763_;
+                                        phi_1764_ = _e1196;
+                                        phi_1765_ = _e1198;
+                                        phi_1766_ = _e1200;
                                     } else {
-                                        phi_1732_ = f32();
-                                        phi_1733_ = true;
-                                        phi_1734_ = false;
+                                        phi_1764_ = f32();
+                                        phi_1765_ = true;
+                                        phi_1766_ = false;
                                     }
-                                    let _e1202 = phi_1732_;
-                                    let _e1204 = phi_1733_;
-                                    let _e1206 = phi_1734_;
+                                    let _e1202 = phi_1764_;
+                                    let _e1204 = phi_1765_;
+                                    let _e1206 = phi_1766_;
                                     if _e1204 {
-                                        phi_1738_ = false;
+                                        phi_1770_ = false;
                                     } else {
-                                        phi_1738_ = _e1206;
+                                        phi_1770_ = _e1206;
                                     }
-                                    let _e1208 = phi_1738_;
-                                    phi_1739_ = _e1202;
-                                    phi_1740_ = _e1208;
+                                    let _e1208 = phi_1770_;
+                                    phi_1771_ = _e1202;
+                                    phi_1772_ = _e1208;
                                 } else {
-                                    phi_1739_ = _e1187;
-                                    phi_1740_ = true;
+                                    phi_1771_ = _e1187;
+                                    phi_1772_ = true;
                                 }
-                                let _e1210 = phi_1739_;
-                                let _e1212 = phi_1740_;
+                                let _e1210 = phi_1771_;
+                                let _e1212 = phi_1772_;
                                 if _e1212 {
                                     let _e1213 = (_e1210 == 0f);
                                     if _e1213 {
-                                        phi_2066_ = lt_bvh_triangle_Intersection();
-                                        phi_2067_ = false;
+                                        phi_2098_ = lt_bvh_triangle_Intersection();
+                                        phi_2099_ = false;
                                     } else {
                                         let _e1215 = triangles.member[(0u + _e1020)].v0_;
                                         let _e1218 = (_e1215.x - _e151.origin.x);
                                         let _e1221 = (_e1215.y - _e151.origin.y);
                                         let _e1224 = (_e1215.z - _e151.origin.z);
                                         if (_e393 == 0u) {
-                                            phi_1771_ = vec3<f32>(_e1221, _e1224, _e1218);
+                                            phi_1803_ = vec3<f32>(_e1221, _e1224, _e1218);
                                         } else {
                                             if (_e393 == 1u) {
-                                                phi_1770_ = vec3<f32>(_e1224, _e1218, _e1221);
+                                                phi_1802_ = vec3<f32>(_e1224, _e1218, _e1221);
                                             } else {
-                                                phi_1770_ = (_e1215 - _e151.origin);
+                                                phi_1802_ = (_e1215 - _e151.origin);
                                             }
-                                            let _e1231 = phi_1770_;
-                                            phi_1771_ = _e1231;
+                                            let _e1231 = phi_1802_;
+                                            phi_1803_ = _e1231;
                                         }
-                                        let _e1233 = phi_1771_;
+                                        let _e1233 = phi_1803_;
                                         let _e1235 = triangles.member[(0u + _e1020)].v1_;
                                         let _e1237 = triangles.member[(0u + _e1020)].v0_;
                                         let _e1240 = (_e1235.x - _e1237.x);
                                         let _e1243 = (_e1235.y - _e1237.y);
                                         let _e1246 = (_e1235.z - _e1237.z);
                                         if (_e393 == 0u) {
-                                            phi_1797_ = vec3<f32>(_e1243, _e1246, _e1240);
+                                            phi_1829_ = vec3<f32>(_e1243, _e1246, _e1240);
                                         } else {
                                             if (_e393 == 1u) {
-                                                phi_1796_ = vec3<f32>(_e1246, _e1240, _e1243);
+                                                phi_1828_ = vec3<f32>(_e1246, _e1240, _e1243);
                                             } else {
-                                                phi_1796_ = (_e1235 - _e1237);
+                                                phi_1828_ = (_e1235 - _e1237);
                                             }
-                                            let _e1253 = phi_1796_;
-                                            phi_1797_ = _e1253;
+                                            let _e1253 = phi_1828_;
+                                            phi_1829_ = _e1253;
                                         }
-                                        let _e1255 = phi_1797_;
+                                        let _e1255 = phi_1829_;
                                         let _e1257 = triangles.member[(0u + _e1020)].v2_;
                                         let _e1259 = triangles.member[(0u + _e1020)].v0_;
                                         let _e1262 = (_e1257.x - _e1259.x);
                                         let _e1265 = (_e1257.y - _e1259.y);
                                         let _e1268 = (_e1257.z - _e1259.z);
                                         if (_e393 == 0u) {
-                                            phi_1823_ = vec3<f32>(_e1265, _e1268, _e1262);
+                                            phi_1855_ = vec3<f32>(_e1265, _e1268, _e1262);
                                         } else {
                                             if (_e393 == 1u) {
-                                                phi_1822_ = vec3<f32>(_e1268, _e1262, _e1265);
+                                                phi_1854_ = vec3<f32>(_e1268, _e1262, _e1265);
                                             } else {
-                                                phi_1822_ = (_e1257 - _e1259);
+                                                phi_1854_ = (_e1257 - _e1259);
                                             }
-                                            let _e1275 = phi_1822_;
-                                            phi_1823_ = _e1275;
+                                            let _e1275 = phi_1854_;
+                                            phi_1855_ = _e1275;
                                         }
-                                        let _e1277 = phi_1823_;
+                                        let _e1277 = phi_1855_;
                                         let _e1284 = ((_e1255.y * _e1277.z) - (_e1255.z * _e1277.y));
                                         let _e1291 = ((_e1255.z * _e1277.x) - (_e1255.x * _e1277.z));
                                         let _e1298 = ((_e1255.x * _e1277.y) - (_e1255.y * _e1277.x));
@@ -1640,81 +1641,81 @@ fn function_() {
                                                 let _e1318 = triangles.member[(0u + _e1020)].v0_;
                                                 let _e1320 = triangles.member[(0u + _e1020)].v1_;
                                                 if (_e1318.x < _e1320.x) {
-                                                    phi_1881_ = _e1318.x;
+                                                    phi_1913_ = _e1318.x;
                                                 } else {
-                                                    phi_1881_ = _e1320.x;
+                                                    phi_1913_ = _e1320.x;
                                                 }
-                                                let _e1327 = phi_1881_;
+                                                let _e1327 = phi_1913_;
                                                 if (_e1318.y < _e1320.y) {
-                                                    phi_1890_ = _e1318.y;
+                                                    phi_1922_ = _e1318.y;
                                                 } else {
-                                                    phi_1890_ = _e1320.y;
+                                                    phi_1922_ = _e1320.y;
                                                 }
-                                                let _e1334 = phi_1890_;
+                                                let _e1334 = phi_1922_;
                                                 if (_e1318.z < _e1320.z) {
-                                                    phi_1899_ = _e1318.z;
+                                                    phi_1931_ = _e1318.z;
                                                 } else {
-                                                    phi_1899_ = _e1320.z;
+                                                    phi_1931_ = _e1320.z;
                                                 }
-                                                let _e1341 = phi_1899_;
+                                                let _e1341 = phi_1931_;
                                                 let _e1343 = triangles.member[(0u + _e1020)].v2_;
                                                 if (_e1327 < _e1343.x) {
-                                                    phi_1908_ = _e1327;
+                                                    phi_1940_ = _e1327;
                                                 } else {
-                                                    phi_1908_ = _e1343.x;
+                                                    phi_1940_ = _e1343.x;
                                                 }
-                                                let _e1348 = phi_1908_;
+                                                let _e1348 = phi_1940_;
                                                 if (_e1334 < _e1343.y) {
-                                                    phi_1915_ = _e1334;
+                                                    phi_1947_ = _e1334;
                                                 } else {
-                                                    phi_1915_ = _e1343.y;
+                                                    phi_1947_ = _e1343.y;
                                                 }
-                                                let _e1353 = phi_1915_;
+                                                let _e1353 = phi_1947_;
                                                 if (_e1341 < _e1343.z) {
-                                                    phi_1922_ = _e1341;
+                                                    phi_1954_ = _e1341;
                                                 } else {
-                                                    phi_1922_ = _e1343.z;
+                                                    phi_1954_ = _e1343.z;
                                                 }
-                                                let _e1358 = phi_1922_;
+                                                let _e1358 = phi_1954_;
                                                 let _e1360 = triangles.member[(0u + _e1020)].v0_;
                                                 let _e1362 = triangles.member[(0u + _e1020)].v1_;
                                                 if (_e1360.x > _e1362.x) {
-                                                    phi_1935_ = _e1360.x;
+                                                    phi_1967_ = _e1360.x;
                                                 } else {
-                                                    phi_1935_ = _e1362.x;
+                                                    phi_1967_ = _e1362.x;
                                                 }
-                                                let _e1369 = phi_1935_;
+                                                let _e1369 = phi_1967_;
                                                 if (_e1360.y > _e1362.y) {
-                                                    phi_1944_ = _e1360.y;
+                                                    phi_1976_ = _e1360.y;
                                                 } else {
-                                                    phi_1944_ = _e1362.y;
+                                                    phi_1976_ = _e1362.y;
                                                 }
-                                                let _e1376 = phi_1944_;
+                                                let _e1376 = phi_1976_;
                                                 if (_e1360.z > _e1362.z) {
-                                                    phi_1953_ = _e1360.z;
+                                                    phi_1985_ = _e1360.z;
                                                 } else {
-                                                    phi_1953_ = _e1362.z;
+                                                    phi_1985_ = _e1362.z;
                                                 }
-                                                let _e1383 = phi_1953_;
+                                                let _e1383 = phi_1985_;
                                                 let _e1385 = triangles.member[(0u + _e1020)].v2_;
                                                 if (_e1369 > _e1385.x) {
-                                                    phi_1962_ = _e1369;
+                                                    phi_1994_ = _e1369;
                                                 } else {
-                                                    phi_1962_ = _e1385.x;
+                                                    phi_1994_ = _e1385.x;
                                                 }
-                                                let _e1390 = phi_1962_;
+                                                let _e1390 = phi_1994_;
                                                 if (_e1376 > _e1385.y) {
-                                                    phi_1969_ = _e1376;
+                                                    phi_2001_ = _e1376;
                                                 } else {
-                                                    phi_1969_ = _e1385.y;
+                                                    phi_2001_ = _e1385.y;
                                                 }
-                                                let _e1395 = phi_1969_;
+                                                let _e1395 = phi_2001_;
                                                 if (_e1383 > _e1385.z) {
-                                                    phi_1976_ = _e1383;
+                                                    phi_2008_ = _e1383;
                                                 } else {
-                                                    phi_1976_ = _e1385.z;
+                                                    phi_2008_ = _e1385.z;
                                                 }
-                                                let _e1400 = phi_1976_;
+                                                let _e1400 = phi_2008_;
                                                 let _e1407 = ((_e1348 - _e151.origin.x) * _e305);
                                                 let _e1408 = ((_e1353 - _e151.origin.y) * _e317);
                                                 let _e1409 = ((_e1358 - _e151.origin.z) * _e329);
@@ -1722,163 +1723,163 @@ fn function_() {
                                                 let _e1417 = ((_e1395 - _e151.origin.y) * _e317);
                                                 let _e1418 = ((_e1400 - _e151.origin.z) * _e329);
                                                 if (_e1407 < _e1416) {
-                                                    phi_1999_ = _e1407;
+                                                    phi_2031_ = _e1407;
                                                 } else {
-                                                    phi_1999_ = _e1416;
+                                                    phi_2031_ = _e1416;
                                                 }
-                                                let _e1421 = phi_1999_;
+                                                let _e1421 = phi_2031_;
                                                 if (_e1408 < _e1417) {
-                                                    phi_2004_ = _e1408;
+                                                    phi_2036_ = _e1408;
                                                 } else {
-                                                    phi_2004_ = _e1417;
+                                                    phi_2036_ = _e1417;
                                                 }
-                                                let _e1424 = phi_2004_;
+                                                let _e1424 = phi_2036_;
                                                 if (_e1409 < _e1418) {
-                                                    phi_2009_ = _e1409;
+                                                    phi_2041_ = _e1409;
                                                 } else {
-                                                    phi_2009_ = _e1418;
+                                                    phi_2041_ = _e1418;
                                                 }
-                                                let _e1427 = phi_2009_;
+                                                let _e1427 = phi_2041_;
                                                 if (_e1407 > _e1416) {
-                                                    phi_2017_ = _e1407;
+                                                    phi_2049_ = _e1407;
                                                 } else {
-                                                    phi_2017_ = _e1416;
+                                                    phi_2049_ = _e1416;
                                                 }
-                                                let _e1433 = phi_2017_;
+                                                let _e1433 = phi_2049_;
                                                 if (_e1408 > _e1417) {
-                                                    phi_2022_ = _e1408;
+                                                    phi_2054_ = _e1408;
                                                 } else {
-                                                    phi_2022_ = _e1417;
+                                                    phi_2054_ = _e1417;
                                                 }
-                                                let _e1436 = phi_2022_;
+                                                let _e1436 = phi_2054_;
                                                 if (_e1409 > _e1418) {
-                                                    phi_2027_ = _e1409;
+                                                    phi_2059_ = _e1409;
                                                 } else {
-                                                    phi_2027_ = _e1418;
+                                                    phi_2059_ = _e1418;
                                                 }
-                                                let _e1439 = phi_2027_;
+                                                let _e1439 = phi_2059_;
                                                 let _e1443 = core_intrinsics_maximum_number_nsz_f32_((_e1421 - _e373), (_e1424 - _e374));
                                                 let _e1444 = core_intrinsics_maximum_number_nsz_f32_(_e1443, (_e1427 - _e375));
                                                 let _e1445 = core_intrinsics_minimum_number_nsz_f32_((_e1433 + _e373), (_e1436 + _e374));
                                                 let _e1446 = core_intrinsics_minimum_number_nsz_f32_(_e1445, (_e1439 + _e375));
                                                 if (_e1444 > -300000000000000000000000000000000000000f) {
-                                                    phi_2039_ = _e1444;
+                                                    phi_2071_ = _e1444;
                                                 } else {
-                                                    phi_2039_ = -300000000000000000000000000000000000000f;
+                                                    phi_2071_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1449 = phi_2039_;
+                                                let _e1449 = phi_2071_;
                                                 if (_e1446 < 300000000000000000000000000000000000000f) {
-                                                    phi_2044_ = _e1446;
+                                                    phi_2076_ = _e1446;
                                                 } else {
-                                                    phi_2044_ = 300000000000000000000000000000000000000f;
+                                                    phi_2076_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1452 = phi_2044_;
+                                                let _e1452 = phi_2076_;
                                                 if (_e1312 < _e1449) {
-                                                    phi_2049_ = _e1449;
+                                                    phi_2081_ = _e1449;
                                                 } else {
-                                                    phi_2049_ = _e1312;
+                                                    phi_2081_ = _e1312;
                                                 }
-                                                let _e1455 = phi_2049_;
+                                                let _e1455 = phi_2081_;
                                                 if (_e1455 > _e1452) {
-                                                    phi_2054_ = _e1452;
+                                                    phi_2086_ = _e1452;
                                                 } else {
-                                                    phi_2054_ = _e1455;
+                                                    phi_2086_ = _e1455;
                                                 }
-                                                let _e1458 = phi_2054_;
-                                                phi_2059_ = lt_bvh_triangle_Intersection(_e1458, (_e1151 / _e1210), (_e1172 / _e1210), (_e1449 <= _e1452));
-                                                phi_2060_ = false;
+                                                let _e1458 = phi_2086_;
+                                                phi_2091_ = lt_bvh_triangle_Intersection(_e1458, (_e1151 / _e1210), (_e1172 / _e1210), (_e1449 <= _e1452));
+                                                phi_2092_ = false;
                                             } else {
-                                                phi_2059_ = lt_bvh_triangle_Intersection();
-                                                phi_2060_ = true;
+                                                phi_2091_ = lt_bvh_triangle_Intersection();
+                                                phi_2092_ = true;
                                             }
-                                            let _e1464 = phi_2059_;
-                                            let _e1466 = phi_2060_;
-                                            phi_2061_ = _e1464;
-                                            phi_2062_ = _e1466;
+                                            let _e1464 = phi_2091_;
+                                            let _e1466 = phi_2092_;
+                                            phi_2093_ = _e1464;
+                                            phi_2094_ = _e1466;
                                         } else {
-                                            phi_2061_ = lt_bvh_triangle_Intersection();
-                                            phi_2062_ = true;
+                                            phi_2093_ = lt_bvh_triangle_Intersection();
+                                            phi_2094_ = true;
                                         }
-                                        let _e1468 = phi_2061_;
-                                        let _e1470 = phi_2062_;
+                                        let _e1468 = phi_2093_;
+                                        let _e1470 = phi_2094_;
                                         if _e1470 {
                                         }
-                                        phi_2066_ = _e1468;
-                                        phi_2067_ = _e1470;
+                                        phi_2098_ = _e1468;
+                                        phi_2099_ = _e1470;
                                     }
-                                    let _e1472 = phi_2066_;
-                                    let _e1474 = phi_2067_;
-                                    phi_2068_ = _e1472;
-                                    phi_2069_ = _e1213;
-                                    phi_2070_ = _e1474;
+                                    let _e1472 = phi_2098_;
+                                    let _e1474 = phi_2099_;
+                                    phi_2100_ = _e1472;
+                                    phi_2101_ = _e1213;
+                                    phi_2102_ = _e1474;
                                 } else {
-                                    phi_2068_ = lt_bvh_triangle_Intersection();
-                                    phi_2069_ = true;
-                                    phi_2070_ = false;
+                                    phi_2100_ = lt_bvh_triangle_Intersection();
+                                    phi_2101_ = true;
+                                    phi_2102_ = false;
                                 }
-                                let _e1476 = phi_2068_;
-                                let _e1478 = phi_2069_;
-                                let _e1480 = phi_2070_;
+                                let _e1476 = phi_2100_;
+                                let _e1478 = phi_2101_;
+                                let _e1480 = phi_2102_;
                                 if _e1478 {
-                                    phi_2074_ = true;
+                                    phi_2106_ = true;
                                 } else {
-                                    phi_2074_ = _e1480;
+                                    phi_2106_ = _e1480;
                                 }
-                                let _e1482 = phi_2074_;
+                                let _e1482 = phi_2106_;
                                 if _e1482 {
-                                    phi_2078_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    phi_2110_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2078_ = _e1476;
+                                    phi_2110_ = _e1476;
                                 }
-                                let _e1484 = phi_2078_;
+                                let _e1484 = phi_2110_;
                                 if _e1484.is_hit {
                                     if (_e1484.t > _e151.tmin) {
                                         if (_e1484.t < _e1009.t) {
-                                            phi_2127_ = true;
+                                            phi_2159_ = true;
                                         } else {
                                             if (_e1484.t == _e1009.t) {
                                                 if (_e1009.triangle != 4294967295u) {
                                                     if (_e1020 < _e1009.triangle) {
-                                                        phi_2118_ = true;
+                                                        phi_2150_ = true;
                                                     } else {
                                                         if (_e1020 == _e1009.triangle) {
-                                                            phi_2117_ = (4294967295u < _e1009.instance);
+                                                            phi_2149_ = (4294967295u < _e1009.instance);
                                                         } else {
-                                                            phi_2117_ = false;
+                                                            phi_2149_ = false;
                                                         }
-                                                        let _e1503 = phi_2117_;
-                                                        phi_2118_ = _e1503;
+                                                        let _e1503 = phi_2149_;
+                                                        phi_2150_ = _e1503;
                                                     }
-                                                    let _e1505 = phi_2118_;
-                                                    phi_2119_ = _e1505;
-                                                    phi_2120_ = false;
+                                                    let _e1505 = phi_2150_;
+                                                    phi_2151_ = _e1505;
+                                                    phi_2152_ = false;
                                                 } else {
-                                                    phi_2119_ = bool();
-                                                    phi_2120_ = true;
+                                                    phi_2151_ = bool();
+                                                    phi_2152_ = true;
                                                 }
-                                                let _e1507 = phi_2119_;
-                                                let _e1509 = phi_2120_;
-                                                phi_2121_ = _e1507;
-                                                phi_2122_ = _e1509;
+                                                let _e1507 = phi_2151_;
+                                                let _e1509 = phi_2152_;
+                                                phi_2153_ = _e1507;
+                                                phi_2154_ = _e1509;
                                             } else {
-                                                phi_2121_ = bool();
-                                                phi_2122_ = true;
+                                                phi_2153_ = bool();
+                                                phi_2154_ = true;
                                             }
-                                            let _e1511 = phi_2121_;
-                                            let _e1513 = phi_2122_;
+                                            let _e1511 = phi_2153_;
+                                            let _e1513 = phi_2154_;
                                             if _e1513 {
-                                                phi_2126_ = false;
+                                                phi_2158_ = false;
                                             } else {
-                                                phi_2126_ = _e1511;
+                                                phi_2158_ = _e1511;
                                             }
-                                            let _e1515 = phi_2126_;
-                                            phi_2127_ = _e1515;
+                                            let _e1515 = phi_2158_;
+                                            phi_2159_ = _e1515;
                                         }
-                                        let _e1517 = phi_2127_;
+                                        let _e1517 = phi_2159_;
                                         if _e1517 {
                                             let _e1519 = triangles.member[(0u + _e1020)].i0_;
                                             if ((_e1519 & 2147483648u) == 0u) {
-                                                phi_2338_ = true;
+                                                phi_2370_ = true;
                                             } else {
                                                 if (_e1020 < _e78) {
                                                 } else {
@@ -1912,11 +1913,11 @@ fn function_() {
                                                 if ((_e1552.flags & 0u) == 0u) {
                                                     let _e1557 = ((1f - _e1484.u) - _e1484.v);
                                                     if (_e1552.cutoff <= 0f) {
-                                                        phi_2333_ = true;
+                                                        phi_2365_ = true;
                                                     } else {
                                                         let _e1584 = (_e1552.base_color.w * ((((f32((_e1546[0].color >> bitcast<u32>(24i))) * _e1557) + (f32((_e1546[1].color >> bitcast<u32>(24i))) * _e1484.u)) + (f32((_e1546[2].color >> bitcast<u32>(24i))) * _e1484.v)) * (1f / 255f)));
                                                         if (_e1552.alpha_size == 0u) {
-                                                            phi_2330_ = _e1584;
+                                                            phi_2362_ = _e1584;
                                                         } else {
                                                             local.offset = _e1552.alpha_offset;
                                                             local.size = _e1552.alpha_size;
@@ -1946,54 +1947,54 @@ fn function_() {
                                                                 return;
                                                             }
                                                             let _e1685 = alpha_texels.member[(0u + _e1681)];
-                                                            phi_2330_ = (_e1584 * (((((f32(((_e1623 >> bitcast<u32>((((_e1615.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.x) + ((f32(((_e1643 >> bitcast<u32>((((_e1615.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.y)) + ((f32(((_e1664 >> bitcast<u32>((((_e1615.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.z)) + ((f32(((_e1685 >> bitcast<u32>((((_e1615.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.w)));
+                                                            phi_2362_ = (_e1584 * (((((f32(((_e1623 >> bitcast<u32>((((_e1615.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.x) + ((f32(((_e1643 >> bitcast<u32>((((_e1615.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.y)) + ((f32(((_e1664 >> bitcast<u32>((((_e1615.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.z)) + ((f32(((_e1685 >> bitcast<u32>((((_e1615.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.w)));
                                                         }
-                                                        let _e1701 = phi_2330_;
-                                                        phi_2333_ = (_e1701 >= _e1552.cutoff);
+                                                        let _e1701 = phi_2362_;
+                                                        phi_2365_ = (_e1701 >= _e1552.cutoff);
                                                     }
-                                                    let _e1705 = phi_2333_;
-                                                    phi_2334_ = _e1705;
+                                                    let _e1705 = phi_2365_;
+                                                    phi_2366_ = _e1705;
                                                 } else {
-                                                    phi_2334_ = false;
+                                                    phi_2366_ = false;
                                                 }
-                                                let _e1707 = phi_2334_;
+                                                let _e1707 = phi_2366_;
                                                 if _e1707 {
                                                 }
-                                                phi_2338_ = _e1707;
+                                                phi_2370_ = _e1707;
                                             }
-                                            let _e1709 = phi_2338_;
+                                            let _e1709 = phi_2370_;
                                             if _e1709 {
-                                                phi_2346_ = lt_bvh_Hit(_e1484.t, _e1484.u, _e1484.v, _e1020, 4294967295u);
+                                                phi_2378_ = lt_bvh_Hit(_e1484.t, _e1484.u, _e1484.v, _e1020, 4294967295u);
                                             } else {
-                                                phi_2346_ = _e1009;
+                                                phi_2378_ = _e1009;
                                             }
-                                            let _e1715 = phi_2346_;
-                                            phi_2347_ = _e1715;
+                                            let _e1715 = phi_2378_;
+                                            phi_2379_ = _e1715;
                                         } else {
-                                            phi_2347_ = _e1009;
+                                            phi_2379_ = _e1009;
                                         }
-                                        let _e1717 = phi_2347_;
-                                        phi_2348_ = _e1717;
+                                        let _e1717 = phi_2379_;
+                                        phi_2380_ = _e1717;
                                     } else {
-                                        phi_2348_ = _e1009;
+                                        phi_2380_ = _e1009;
                                     }
-                                    let _e1719 = phi_2348_;
-                                    phi_2349_ = _e1719;
+                                    let _e1719 = phi_2380_;
+                                    phi_2381_ = _e1719;
                                 } else {
-                                    phi_2349_ = _e1009;
+                                    phi_2381_ = _e1009;
                                 }
-                                let _e1721 = phi_2349_;
-                                phi_1492_ = _e1721;
-                                phi_1495_ = (_e1011 & (_e1011 - 1u));
-                                phi_2350_ = true;
+                                let _e1721 = phi_2381_;
+                                phi_1524_ = _e1721;
+                                phi_1527_ = (_e1011 & (_e1011 - 1u));
+                                phi_2382_ = true;
                             }
-                            let _e1723 = phi_1492_;
-                            let _e1725 = phi_1495_;
-                            let _e1727 = phi_2350_;
+                            let _e1723 = phi_1524_;
+                            let _e1725 = phi_1527_;
+                            let _e1727 = phi_2382_;
                             continue;
                             continuing {
-                                phi_1491_ = _e1723;
-                                phi_1494_ = _e1725;
+                                phi_1523_ = _e1723;
+                                phi_1526_ = _e1725;
                                 break if !(_e1727);
                             }
                         }
@@ -2001,7 +2002,7 @@ fn function_() {
                         if ((_e1730 & 4278190080u) == 0u) {
                             let _e1734 = local_1.len;
                             if (_e1734 == 0u) {
-                                phi_2389_ = false;
+                                phi_2421_ = false;
                             } else {
                                 let _e1738 = local_1.len;
                                 local_1.len = (_e1738 - 1u);
@@ -2019,14 +2020,14 @@ fn function_() {
                                 }
                                 let _e1754 = local_1.mask[(0u + _e1749)];
                                 local_1.group_mask = _e1754;
-                                phi_2389_ = true;
+                                phi_2421_ = true;
                             }
-                            let _e1757 = phi_2389_;
-                            phi_2390_ = _e1757;
+                            let _e1757 = phi_2421_;
+                            phi_2422_ = _e1757;
                         } else {
-                            phi_2390_ = true;
+                            phi_2422_ = true;
                         }
-                        let _e1759 = phi_2390_;
+                        let _e1759 = phi_2422_;
                         if _e1759 {
                             let _e1761 = local_1.group_mask;
                             let _e1767 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1761)), 32u, (_e1761 == 0u)));
@@ -2034,45 +2035,45 @@ fn function_() {
                             let _e1785 = local_1.group_mask;
                             local_1.group_mask = (_e1785 & ~((1u << bitcast<u32>((_e1767 & 31u)))));
                             let _e1788 = local_1.group;
-                            phi_2421_ = (_e1788 + countOneBits(((_e1771 & ~((4294967295u << bitcast<u32>((((_e1767 - 24u) ^ _e428) & 31u))))) & 255u)));
+                            phi_2453_ = (_e1788 + countOneBits(((_e1771 & ~((4294967295u << bitcast<u32>((((_e1767 - 24u) ^ _e428) & 31u))))) & 255u)));
                         } else {
-                            phi_2421_ = 4294967295u;
+                            phi_2453_ = 4294967295u;
                         }
-                        let _e1791 = phi_2421_;
+                        let _e1791 = phi_2453_;
                         let _e2494 = local_5;
-                        phi_1155_ = _e2494;
-                        phi_1158_ = _e1791;
+                        phi_1187_ = _e2494;
+                        phi_1190_ = _e1791;
                     } else {
-                        phi_1155_ = lt_bvh_Hit();
-                        phi_1158_ = u32();
+                        phi_1187_ = lt_bvh_Hit();
+                        phi_1190_ = u32();
                     }
-                    let _e1793 = phi_1155_;
-                    let _e1795 = phi_1158_;
+                    let _e1793 = phi_1187_;
+                    let _e1795 = phi_1190_;
                     continue;
                     continuing {
-                        phi_1154_ = _e1793;
-                        phi_1157_ = _e1795;
+                        phi_1186_ = _e1793;
+                        phi_1189_ = _e1795;
                         break if !(_e569);
                     }
                 }
                 let _e2498 = local_6;
-                phi_2422_ = _e2498;
+                phi_2454_ = _e2498;
             }
-            let _e1798 = phi_2422_;
-            phi_2423_ = _e1798;
-            phi_2424_ = _e223;
+            let _e1798 = phi_2454_;
+            phi_2455_ = _e1798;
+            phi_2456_ = _e223;
         } else {
-            phi_2423_ = lt_bvh_Hit();
-            phi_2424_ = true;
+            phi_2455_ = lt_bvh_Hit();
+            phi_2456_ = true;
         }
-        let _e1800 = phi_2423_;
-        let _e1802 = phi_2424_;
+        let _e1800 = phi_2455_;
+        let _e1802 = phi_2456_;
         if _e1802 {
-            phi_2428_ = _e153;
+            phi_2460_ = _e153;
         } else {
-            phi_2428_ = _e1800;
+            phi_2460_ = _e1800;
         }
-        let _e1804 = phi_2428_;
+        let _e1804 = phi_2460_;
         if (_e1804.triangle != 4294967295u) {
             let _e1810 = ((1f - _e1804.u) - _e1804.v);
             if (_e1804.triangle < _e78) {
@@ -2090,44 +2091,44 @@ fn function_() {
             let _e1854 = abs(_e1816.v1_.y);
             let _e1856 = abs(_e1816.v1_.z);
             if (_e1846 > _e1852) {
-                phi_2493_ = _e1846;
+                phi_2525_ = _e1846;
             } else {
-                phi_2493_ = _e1852;
+                phi_2525_ = _e1852;
             }
-            let _e1859 = phi_2493_;
+            let _e1859 = phi_2525_;
             if (_e1848 > _e1854) {
-                phi_2498_ = _e1848;
+                phi_2530_ = _e1848;
             } else {
-                phi_2498_ = _e1854;
+                phi_2530_ = _e1854;
             }
-            let _e1862 = phi_2498_;
+            let _e1862 = phi_2530_;
             if (_e1850 > _e1856) {
-                phi_2503_ = _e1850;
+                phi_2535_ = _e1850;
             } else {
-                phi_2503_ = _e1856;
+                phi_2535_ = _e1856;
             }
-            let _e1865 = phi_2503_;
+            let _e1865 = phi_2535_;
             let _e1867 = abs(_e1816.v2_.x);
             let _e1869 = abs(_e1816.v2_.y);
             let _e1871 = abs(_e1816.v2_.z);
             if (_e1859 > _e1867) {
-                phi_2514_ = _e1859;
+                phi_2546_ = _e1859;
             } else {
-                phi_2514_ = _e1867;
+                phi_2546_ = _e1867;
             }
-            let _e1874 = phi_2514_;
+            let _e1874 = phi_2546_;
             if (_e1862 > _e1869) {
-                phi_2519_ = _e1862;
+                phi_2551_ = _e1862;
             } else {
-                phi_2519_ = _e1869;
+                phi_2551_ = _e1869;
             }
-            let _e1877 = phi_2519_;
+            let _e1877 = phi_2551_;
             if (_e1865 > _e1871) {
-                phi_2524_ = _e1865;
+                phi_2556_ = _e1865;
             } else {
-                phi_2524_ = _e1871;
+                phi_2556_ = _e1871;
             }
-            let _e1880 = phi_2524_;
+            let _e1880 = phi_2556_;
             let _e1883 = (_e1816.v1_.x - _e1816.v0_.x);
             let _e1886 = (_e1816.v1_.y - _e1816.v0_.y);
             let _e1889 = (_e1816.v1_.z - _e1816.v0_.z);
@@ -2153,11 +2154,11 @@ fn function_() {
             let _e1940 = (_e1920 * _e1938);
             let _e1941 = (_e1923 * _e1938);
             if ((((_e1939 * (_e1925.x - _e1841)) + (_e1940 * (_e1925.y - _e1842))) + (_e1941 * (_e1925.z - _e1843))) < 0f) {
-                phi_2600_ = vec3<f32>(-(_e1939), -(_e1940), -(_e1941));
+                phi_2632_ = vec3<f32>(-(_e1939), -(_e1940), -(_e1941));
             } else {
-                phi_2600_ = vec3<f32>(_e1939, _e1940, _e1941);
+                phi_2632_ = vec3<f32>(_e1939, _e1940, _e1941);
             }
-            let _e1954 = phi_2600_;
+            let _e1954 = phi_2632_;
             if (_e1804.triangle < _e78) {
             } else {
                 return;
@@ -2195,79 +2196,79 @@ fn function_() {
             let _e2060 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1877, _e1880);
             let _e2061 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1874, _e2060);
             if ((_e1982.flags & 2u) == 0u) {
-                phi_2721_ = 0u;
+                phi_2753_ = 0u;
             } else {
-                phi_2721_ = 1u;
+                phi_2753_ = 1u;
             }
-            let _e2066 = phi_2721_;
+            let _e2066 = phi_2753_;
             if (_e1976[0].normal == 2147516416u) {
-                phi_2924_ = _e1954;
+                phi_2956_ = _e1954;
             } else {
                 let _e2079 = (f32((bitcast<i32>((_e1976[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
                 let _e2085 = (f32((bitcast<i32>(_e1976[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
                 let _e2089 = ((1f - abs(_e2079)) - abs(_e2085));
                 if (_e2089 < 0f) {
-                    phi_2748_ = -(_e2089);
+                    phi_2780_ = -(_e2089);
                 } else {
-                    phi_2748_ = 0f;
+                    phi_2780_ = 0f;
                 }
-                let _e2093 = phi_2748_;
+                let _e2093 = phi_2780_;
                 if (_e2079 < 0f) {
-                    phi_2755_ = (_e2079 + _e2093);
+                    phi_2787_ = (_e2079 + _e2093);
                 } else {
-                    phi_2755_ = (_e2079 - _e2093);
+                    phi_2787_ = (_e2079 - _e2093);
                 }
-                let _e2098 = phi_2755_;
+                let _e2098 = phi_2787_;
                 if (_e2085 < 0f) {
-                    phi_2762_ = (_e2085 + _e2093);
+                    phi_2794_ = (_e2085 + _e2093);
                 } else {
-                    phi_2762_ = (_e2085 - _e2093);
+                    phi_2794_ = (_e2085 - _e2093);
                 }
-                let _e2103 = phi_2762_;
+                let _e2103 = phi_2794_;
                 let _e2110 = (1f / sqrt((((_e2098 * _e2098) + (_e2103 * _e2103)) + (_e2089 * _e2089))));
                 let _e2126 = (f32((bitcast<i32>((_e1976[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
                 let _e2132 = (f32((bitcast<i32>(_e1976[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
                 let _e2136 = ((1f - abs(_e2126)) - abs(_e2132));
                 if (_e2136 < 0f) {
-                    phi_2797_ = -(_e2136);
+                    phi_2829_ = -(_e2136);
                 } else {
-                    phi_2797_ = 0f;
+                    phi_2829_ = 0f;
                 }
-                let _e2140 = phi_2797_;
+                let _e2140 = phi_2829_;
                 if (_e2126 < 0f) {
-                    phi_2804_ = (_e2126 + _e2140);
+                    phi_2836_ = (_e2126 + _e2140);
                 } else {
-                    phi_2804_ = (_e2126 - _e2140);
+                    phi_2836_ = (_e2126 - _e2140);
                 }
-                let _e2145 = phi_2804_;
+                let _e2145 = phi_2836_;
                 if (_e2132 < 0f) {
-                    phi_2811_ = (_e2132 + _e2140);
+                    phi_2843_ = (_e2132 + _e2140);
                 } else {
-                    phi_2811_ = (_e2132 - _e2140);
+                    phi_2843_ = (_e2132 - _e2140);
                 }
-                let _e2150 = phi_2811_;
+                let _e2150 = phi_2843_;
                 let _e2157 = (1f / sqrt((((_e2145 * _e2145) + (_e2150 * _e2150)) + (_e2136 * _e2136))));
                 let _e2176 = (f32((bitcast<i32>((_e1976[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
                 let _e2182 = (f32((bitcast<i32>(_e1976[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
                 let _e2186 = ((1f - abs(_e2176)) - abs(_e2182));
                 if (_e2186 < 0f) {
-                    phi_2849_ = -(_e2186);
+                    phi_2881_ = -(_e2186);
                 } else {
-                    phi_2849_ = 0f;
+                    phi_2881_ = 0f;
                 }
-                let _e2190 = phi_2849_;
+                let _e2190 = phi_2881_;
                 if (_e2176 < 0f) {
-                    phi_2856_ = (_e2176 + _e2190);
+                    phi_2888_ = (_e2176 + _e2190);
                 } else {
-                    phi_2856_ = (_e2176 - _e2190);
+                    phi_2888_ = (_e2176 - _e2190);
                 }
-                let _e2195 = phi_2856_;
+                let _e2195 = phi_2888_;
                 if (_e2182 < 0f) {
-                    phi_2863_ = (_e2182 + _e2190);
+                    phi_2895_ = (_e2182 + _e2190);
                 } else {
-                    phi_2863_ = (_e2182 - _e2190);
+                    phi_2895_ = (_e2182 - _e2190);
                 }
-                let _e2200 = phi_2863_;
+                let _e2200 = phi_2895_;
                 let _e2207 = (1f / sqrt((((_e2195 * _e2195) + (_e2200 * _e2200)) + (_e2186 * _e2186))));
                 let _e2218 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2098 * _e2110) * _e1810) + ((_e2145 * _e2157) * _e1804.u)) + ((_e2195 * _e2207) * _e1804.v)), ((((_e2103 * _e2110) * _e1810) + ((_e2150 * _e2157) * _e1804.u)) + ((_e2200 * _e2207) * _e1804.v)), ((((_e2089 * _e2110) * _e1810) + ((_e2136 * _e2157) * _e1804.u)) + ((_e2186 * _e2207) * _e1804.v))));
                 let _e2230 = sqrt((((_e2218.x * _e2218.x) + (_e2218.y * _e2218.y)) + (_e2218.z * _e2218.z)));
@@ -2276,63 +2277,63 @@ fn function_() {
                     let _e2235 = (_e2218.y / _e2230);
                     let _e2237 = (_e2218.z / _e2230);
                     if ((((_e2233 * _e1954.x) + (_e2235 * _e1954.y)) + (_e2237 * _e1954.z)) < 0f) {
-                        phi_2922_ = vec3<f32>(-(_e2233), -(_e2235), -(_e2237));
+                        phi_2954_ = vec3<f32>(-(_e2233), -(_e2235), -(_e2237));
                     } else {
-                        phi_2922_ = (_e2218 / vec3(_e2230));
+                        phi_2954_ = (_e2218 / vec3(_e2230));
                     }
-                    let _e2254 = phi_2922_;
-                    phi_2923_ = _e2254;
+                    let _e2254 = phi_2954_;
+                    phi_2955_ = _e2254;
                 } else {
-                    phi_2923_ = _e1954;
+                    phi_2955_ = _e1954;
                 }
-                let _e2256 = phi_2923_;
-                phi_2924_ = _e2256;
+                let _e2256 = phi_2955_;
+                phi_2956_ = _e2256;
             }
-            let _e2258 = phi_2924_;
+            let _e2258 = phi_2956_;
             if (_e2055 > 0f) {
                 if (_e2055 < 1f) {
-                    phi_2933_ = _e2055;
+                    phi_2965_ = _e2055;
                 } else {
-                    phi_2933_ = 1f;
+                    phi_2965_ = 1f;
                 }
-                let _e2262 = phi_2933_;
-                phi_2934_ = _e2262;
+                let _e2262 = phi_2965_;
+                phi_2966_ = _e2262;
             } else {
-                phi_2934_ = 0f;
+                phi_2966_ = 0f;
             }
-            let _e2264 = phi_2934_;
+            let _e2264 = phi_2966_;
             if (_e2057 > 0f) {
                 if (_e2057 < 1f) {
-                    phi_2944_ = _e2057;
+                    phi_2976_ = _e2057;
                 } else {
-                    phi_2944_ = 1f;
+                    phi_2976_ = 1f;
                 }
-                let _e2269 = phi_2944_;
-                phi_2945_ = _e2269;
+                let _e2269 = phi_2976_;
+                phi_2977_ = _e2269;
             } else {
-                phi_2945_ = 0f;
+                phi_2977_ = 0f;
             }
-            let _e2271 = phi_2945_;
+            let _e2271 = phi_2977_;
             if (_e2059 > 0f) {
                 if (_e2059 < 1f) {
-                    phi_2955_ = _e2059;
+                    phi_2987_ = _e2059;
                 } else {
-                    phi_2955_ = 1f;
+                    phi_2987_ = 1f;
                 }
-                let _e2276 = phi_2955_;
-                phi_2956_ = _e2276;
+                let _e2276 = phi_2987_;
+                phi_2988_ = _e2276;
             } else {
-                phi_2956_ = 0f;
+                phi_2988_ = 0f;
             }
-            let _e2278 = phi_2956_;
+            let _e2278 = phi_2988_;
             let _e2281 = ((sqrt(_e2264) * 255f) + 0.5f);
             let _e2290 = ((sqrt(_e2271) * 255f) + 0.5f);
             let _e2302 = ((sqrt(_e2278) * 255f) + 0.5f);
-            phi_2991_ = abi_Sample(vec3<f32>(_e1841, _e1842, _e1843), _e2061, _e1954, _e2066, _e2258, ((select(select(u32(_e2281), 0u, (_e2281 < bitcast<f32>(0u))), 4294967295u, (_e2281 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2290), 0u, (_e2290 < bitcast<f32>(0u))), 4294967295u, (_e2290 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2302), 0u, (_e2302 < bitcast<f32>(0u))), 4294967295u, (_e2302 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            phi_3023_ = abi_Sample(vec3<f32>(_e1841, _e1842, _e1843), _e2061, _e1954, _e2066, _e2258, ((select(select(u32(_e2281), 0u, (_e2281 < bitcast<f32>(0u))), 4294967295u, (_e2281 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2290), 0u, (_e2290 < bitcast<f32>(0u))), 4294967295u, (_e2290 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2302), 0u, (_e2302 < bitcast<f32>(0u))), 4294967295u, (_e2302 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2991_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3023_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2316 = phi_2991_;
+        let _e2316 = phi_3023_;
         if (_e96.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;

@@ -43,6 +43,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -52,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_32 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -64,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_36 {
+struct type_43 {
     member: array<abi_Vertex>,
 }
 
@@ -76,11 +96,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_40 {
+struct type_47 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -94,28 +127,8 @@ struct texture_Axis {
     fraction: f32,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_50 {
+struct type_58 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_55 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -133,29 +146,17 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_36;
+var<storage> vertices: type_43;
 @group(0) @binding(4) 
-var<storage> materials: type_40;
+var<storage> materials: type_47;
 @group(0) @binding(0) 
-var<uniform> p: type_50;
+var<uniform> p: type_58;
 @group(0) @binding(1) 
-var<storage> nodes: type_55;
+var<storage> nodes: type_35;
 @group(0) @binding(2) 
-var<storage> triangles: type_32;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
@@ -199,401 +200,401 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_273_: f32;
-    var phi_278_: f32;
-    var phi_279_: bool;
-    var phi_280_: f32;
-    var phi_281_: bool;
-    var phi_285_: f32;
-    var phi_311_: f32;
-    var phi_316_: f32;
-    var phi_317_: bool;
-    var phi_318_: f32;
-    var phi_319_: bool;
-    var phi_323_: f32;
-    var phi_331_: f32;
-    var phi_332_: f32;
-    var phi_333_: f32;
-    var phi_342_: f32;
-    var phi_343_: f32;
-    var phi_361_: u32;
-    var phi_375_: u32;
-    var phi_382_: u32;
-    var phi_387_: u32;
-    var phi_393_: u32;
-    var phi_398_: u32;
-    var phi_400_: texture_Axis;
-    var phi_428_: f32;
-    var phi_433_: f32;
-    var phi_434_: bool;
-    var phi_435_: f32;
-    var phi_436_: bool;
-    var phi_440_: f32;
-    var phi_466_: f32;
-    var phi_471_: f32;
-    var phi_472_: bool;
-    var phi_473_: f32;
-    var phi_474_: bool;
-    var phi_478_: f32;
-    var phi_486_: f32;
-    var phi_487_: f32;
-    var phi_488_: f32;
-    var phi_497_: f32;
-    var phi_498_: f32;
-    var phi_516_: u32;
-    var phi_530_: u32;
-    var phi_537_: u32;
-    var phi_542_: u32;
-    var phi_548_: u32;
-    var phi_553_: u32;
-    var phi_555_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_243_: bool;
+    var phi_247_: f32;
 
-    let _e75 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_243_ = true;
+    } else {
+        let _e74 = (param_4 >= param_3);
+        if _e74 {
+        }
+        phi_243_ = _e74;
+    }
+    let _e76 = phi_243_;
+    if _e76 {
+        phi_247_ = param_4;
+    } else {
+        phi_247_ = param_3;
+    }
+    let _e78 = phi_247_;
+    return _e78;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_259_: bool;
+    var phi_263_: f32;
+
+    if (param_5 != param_5) {
+        phi_259_ = true;
+    } else {
+        let _e74 = (param_6 <= param_5);
+        if _e74 {
+        }
+        phi_259_ = _e74;
+    }
+    let _e76 = phi_259_;
+    if _e76 {
+        phi_263_ = param_6;
+    } else {
+        phi_263_ = param_5;
+    }
+    let _e78 = phi_263_;
+    return _e78;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_305_: f32;
+    var phi_310_: f32;
+    var phi_311_: bool;
+    var phi_312_: f32;
+    var phi_313_: bool;
+    var phi_317_: f32;
+    var phi_343_: f32;
+    var phi_348_: f32;
+    var phi_349_: bool;
+    var phi_350_: f32;
+    var phi_351_: bool;
+    var phi_355_: f32;
+    var phi_363_: f32;
+    var phi_364_: f32;
+    var phi_365_: f32;
+    var phi_374_: f32;
+    var phi_375_: f32;
+    var phi_393_: u32;
+    var phi_407_: u32;
+    var phi_414_: u32;
+    var phi_419_: u32;
+    var phi_425_: u32;
+    var phi_430_: u32;
+    var phi_432_: texture_Axis;
+    var phi_460_: f32;
+    var phi_465_: f32;
+    var phi_466_: bool;
+    var phi_467_: f32;
+    var phi_468_: bool;
+    var phi_472_: f32;
+    var phi_498_: f32;
+    var phi_503_: f32;
+    var phi_504_: bool;
+    var phi_505_: f32;
+    var phi_506_: bool;
+    var phi_510_: f32;
+    var phi_518_: f32;
+    var phi_519_: f32;
+    var phi_520_: f32;
+    var phi_529_: f32;
+    var phi_530_: f32;
+    var phi_548_: u32;
+    var phi_562_: u32;
+    var phi_569_: u32;
+    var phi_574_: u32;
+    var phi_580_: u32;
+    var phi_585_: u32;
+    var phi_587_: texture_Axis;
+
+    let _e75 = (*param_7).size;
     let _e76 = (_e75 & 65535u);
-    let _e78 = (*param_3).size;
+    let _e78 = (*param_7).size;
     let _e80 = (_e78 >> bitcast<u32>(16i));
-    let _e82 = (*param_3).flags;
+    let _e82 = (*param_7).flags;
     let _e84 = ((_e82 & 4u) != 0u);
-    let _e86 = (*param_3).flags;
+    let _e86 = (*param_7).flags;
     let _e89 = ((_e86 >> bitcast<u32>(4u)) & 3u);
     if (_e89 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e102 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e102 > param_4) {
-                phi_273_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e102 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e102 > param_8) {
+                phi_305_ = 1f;
             } else {
-                phi_273_ = 0f;
+                phi_305_ = 0f;
             }
-            let _e105 = phi_273_;
-            if (param_4 < 8388608f) {
-                phi_278_ = (_e102 - _e105);
-                phi_279_ = false;
+            let _e105 = phi_305_;
+            if (param_8 < 8388608f) {
+                phi_310_ = (_e102 - _e105);
+                phi_311_ = false;
             } else {
-                phi_278_ = f32();
-                phi_279_ = true;
+                phi_310_ = f32();
+                phi_311_ = true;
             }
-            let _e108 = phi_278_;
-            let _e110 = phi_279_;
-            phi_280_ = _e108;
-            phi_281_ = _e110;
+            let _e108 = phi_310_;
+            let _e110 = phi_311_;
+            phi_312_ = _e108;
+            phi_313_ = _e110;
         } else {
-            phi_280_ = f32();
-            phi_281_ = true;
+            phi_312_ = f32();
+            phi_313_ = true;
         }
-        let _e112 = phi_280_;
-        let _e114 = phi_281_;
+        let _e112 = phi_312_;
+        let _e114 = phi_313_;
         if _e114 {
-            phi_285_ = param_4;
+            phi_317_ = param_8;
         } else {
-            phi_285_ = _e112;
+            phi_317_ = _e112;
         }
-        let _e116 = phi_285_;
-        phi_333_ = (param_4 - _e116);
+        let _e116 = phi_317_;
+        phi_365_ = (param_8 - _e116);
     } else {
         if (_e89 == 1u) {
-            let _e119 = (param_4 * 0.5f);
+            let _e119 = (param_8 * 0.5f);
             if (_e119 > -8388608f) {
                 let _e131 = f32(select(0i, select(select(i32(_e119), i32(-2147483648), (_e119 < bitcast<f32>(3472883712u))), 2147483647i, (_e119 > bitcast<f32>(1325400063u))), (_e119 == _e119)));
                 if (_e131 > _e119) {
-                    phi_311_ = 1f;
+                    phi_343_ = 1f;
                 } else {
-                    phi_311_ = 0f;
+                    phi_343_ = 0f;
                 }
-                let _e134 = phi_311_;
+                let _e134 = phi_343_;
                 if (_e119 < 8388608f) {
-                    phi_316_ = (_e131 - _e134);
-                    phi_317_ = false;
+                    phi_348_ = (_e131 - _e134);
+                    phi_349_ = false;
                 } else {
-                    phi_316_ = f32();
-                    phi_317_ = true;
+                    phi_348_ = f32();
+                    phi_349_ = true;
                 }
-                let _e137 = phi_316_;
-                let _e139 = phi_317_;
-                phi_318_ = _e137;
-                phi_319_ = _e139;
+                let _e137 = phi_348_;
+                let _e139 = phi_349_;
+                phi_350_ = _e137;
+                phi_351_ = _e139;
             } else {
-                phi_318_ = f32();
-                phi_319_ = true;
+                phi_350_ = f32();
+                phi_351_ = true;
             }
-            let _e141 = phi_318_;
-            let _e143 = phi_319_;
+            let _e141 = phi_350_;
+            let _e143 = phi_351_;
             if _e143 {
-                phi_323_ = _e119;
+                phi_355_ = _e119;
             } else {
-                phi_323_ = _e141;
+                phi_355_ = _e141;
             }
-            let _e145 = phi_323_;
-            let _e147 = (param_4 - (2f * _e145));
+            let _e145 = phi_355_;
+            let _e147 = (param_8 - (2f * _e145));
             if (_e147 > 1f) {
-                phi_331_ = (2f - _e147);
+                phi_363_ = (2f - _e147);
             } else {
-                phi_331_ = _e147;
+                phi_363_ = _e147;
             }
-            let _e151 = phi_331_;
-            phi_332_ = _e151;
+            let _e151 = phi_363_;
+            phi_364_ = _e151;
         } else {
-            phi_332_ = param_4;
+            phi_364_ = param_8;
         }
-        let _e153 = phi_332_;
-        phi_333_ = _e153;
+        let _e153 = phi_364_;
+        phi_365_ = _e153;
     }
-    let _e155 = phi_333_;
+    let _e155 = phi_365_;
     if (_e155 > 0f) {
         if (_e155 < 1f) {
-            phi_342_ = _e155;
+            phi_374_ = _e155;
         } else {
-            phi_342_ = 1f;
+            phi_374_ = 1f;
         }
-        let _e159 = phi_342_;
-        phi_343_ = _e159;
+        let _e159 = phi_374_;
+        phi_375_ = _e159;
     } else {
-        phi_343_ = 0f;
+        phi_375_ = 0f;
     }
-    let _e161 = phi_343_;
+    let _e161 = phi_375_;
     let _e162 = (_e76 - 1u);
     let _e164 = (_e161 * f32(_e76));
     if _e84 {
         let _e171 = select(select(u32(_e164), 0u, (_e164 < bitcast<f32>(0u))), 4294967295u, (_e164 > bitcast<f32>(1333788671u)));
         if (_e162 < _e171) {
-            phi_361_ = _e162;
+            phi_393_ = _e162;
         } else {
-            phi_361_ = _e171;
+            phi_393_ = _e171;
         }
-        let _e174 = phi_361_;
-        phi_400_ = texture_Axis(_e174, _e174, 0f);
+        let _e174 = phi_393_;
+        phi_432_ = texture_Axis(_e174, _e174, 0f);
     } else {
         let _e176 = (_e164 + 0.5f);
         let _e183 = select(select(u32(_e176), 0u, (_e176 < bitcast<f32>(0u))), 4294967295u, (_e176 > bitcast<f32>(1333788671u)));
         if (_e76 < _e183) {
-            phi_375_ = _e76;
+            phi_407_ = _e76;
         } else {
-            phi_375_ = _e183;
+            phi_407_ = _e183;
         }
-        let _e186 = phi_375_;
+        let _e186 = phi_407_;
         if (_e89 == 0u) {
-            phi_382_ = _e162;
+            phi_414_ = _e162;
         } else {
-            phi_382_ = 0u;
+            phi_414_ = 0u;
         }
-        let _e191 = phi_382_;
+        let _e191 = phi_414_;
         if (_e89 == 0u) {
-            phi_387_ = 0u;
+            phi_419_ = 0u;
         } else {
-            phi_387_ = _e162;
+            phi_419_ = _e162;
         }
-        let _e194 = phi_387_;
+        let _e194 = phi_419_;
         if (_e186 == 0u) {
-            phi_393_ = _e191;
+            phi_425_ = _e191;
         } else {
-            phi_393_ = (_e186 - 1u);
+            phi_425_ = (_e186 - 1u);
         }
-        let _e198 = phi_393_;
+        let _e198 = phi_425_;
         if (_e186 > _e162) {
-            phi_398_ = _e194;
+            phi_430_ = _e194;
         } else {
-            phi_398_ = _e186;
+            phi_430_ = _e186;
         }
-        let _e201 = phi_398_;
-        phi_400_ = texture_Axis(_e198, _e201, (_e176 - f32(_e186)));
+        let _e201 = phi_430_;
+        phi_432_ = texture_Axis(_e198, _e201, (_e176 - f32(_e186)));
     }
-    let _e204 = phi_400_;
-    let _e206 = (*param_3).flags;
+    let _e204 = phi_432_;
+    let _e206 = (*param_7).flags;
     let _e209 = ((_e206 >> bitcast<u32>(6u)) & 3u);
     if (_e209 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e222 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e222 > param_5) {
-                phi_428_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e222 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e222 > param_9) {
+                phi_460_ = 1f;
             } else {
-                phi_428_ = 0f;
+                phi_460_ = 0f;
             }
-            let _e225 = phi_428_;
-            if (param_5 < 8388608f) {
-                phi_433_ = (_e222 - _e225);
-                phi_434_ = false;
+            let _e225 = phi_460_;
+            if (param_9 < 8388608f) {
+                phi_465_ = (_e222 - _e225);
+                phi_466_ = false;
             } else {
-                phi_433_ = f32();
-                phi_434_ = true;
+                phi_465_ = f32();
+                phi_466_ = true;
             }
-            let _e228 = phi_433_;
-            let _e230 = phi_434_;
-            phi_435_ = _e228;
-            phi_436_ = _e230;
+            let _e228 = phi_465_;
+            let _e230 = phi_466_;
+            phi_467_ = _e228;
+            phi_468_ = _e230;
         } else {
-            phi_435_ = f32();
-            phi_436_ = true;
+            phi_467_ = f32();
+            phi_468_ = true;
         }
-        let _e232 = phi_435_;
-        let _e234 = phi_436_;
+        let _e232 = phi_467_;
+        let _e234 = phi_468_;
         if _e234 {
-            phi_440_ = param_5;
+            phi_472_ = param_9;
         } else {
-            phi_440_ = _e232;
+            phi_472_ = _e232;
         }
-        let _e236 = phi_440_;
-        phi_488_ = (param_5 - _e236);
+        let _e236 = phi_472_;
+        phi_520_ = (param_9 - _e236);
     } else {
         if (_e209 == 1u) {
-            let _e239 = (param_5 * 0.5f);
+            let _e239 = (param_9 * 0.5f);
             if (_e239 > -8388608f) {
                 let _e251 = f32(select(0i, select(select(i32(_e239), i32(-2147483648), (_e239 < bitcast<f32>(3472883712u))), 2147483647i, (_e239 > bitcast<f32>(1325400063u))), (_e239 == _e239)));
                 if (_e251 > _e239) {
-                    phi_466_ = 1f;
+                    phi_498_ = 1f;
                 } else {
-                    phi_466_ = 0f;
+                    phi_498_ = 0f;
                 }
-                let _e254 = phi_466_;
+                let _e254 = phi_498_;
                 if (_e239 < 8388608f) {
-                    phi_471_ = (_e251 - _e254);
-                    phi_472_ = false;
+                    phi_503_ = (_e251 - _e254);
+                    phi_504_ = false;
                 } else {
-                    phi_471_ = f32();
-                    phi_472_ = true;
+                    phi_503_ = f32();
+                    phi_504_ = true;
                 }
-                let _e257 = phi_471_;
-                let _e259 = phi_472_;
-                phi_473_ = _e257;
-                phi_474_ = _e259;
+                let _e257 = phi_503_;
+                let _e259 = phi_504_;
+                phi_505_ = _e257;
+                phi_506_ = _e259;
             } else {
-                phi_473_ = f32();
-                phi_474_ = true;
+                phi_505_ = f32();
+                phi_506_ = true;
             }
-            let _e261 = phi_473_;
-            let _e263 = phi_474_;
+            let _e261 = phi_505_;
+            let _e263 = phi_506_;
             if _e263 {
-                phi_478_ = _e239;
+                phi_510_ = _e239;
             } else {
-                phi_478_ = _e261;
+                phi_510_ = _e261;
             }
-            let _e265 = phi_478_;
-            let _e267 = (param_5 - (2f * _e265));
+            let _e265 = phi_510_;
+            let _e267 = (param_9 - (2f * _e265));
             if (_e267 > 1f) {
-                phi_486_ = (2f - _e267);
+                phi_518_ = (2f - _e267);
             } else {
-                phi_486_ = _e267;
+                phi_518_ = _e267;
             }
-            let _e271 = phi_486_;
-            phi_487_ = _e271;
+            let _e271 = phi_518_;
+            phi_519_ = _e271;
         } else {
-            phi_487_ = param_5;
+            phi_519_ = param_9;
         }
-        let _e273 = phi_487_;
-        phi_488_ = _e273;
+        let _e273 = phi_519_;
+        phi_520_ = _e273;
     }
-    let _e275 = phi_488_;
+    let _e275 = phi_520_;
     if (_e275 > 0f) {
         if (_e275 < 1f) {
-            phi_497_ = _e275;
+            phi_529_ = _e275;
         } else {
-            phi_497_ = 1f;
+            phi_529_ = 1f;
         }
-        let _e279 = phi_497_;
-        phi_498_ = _e279;
+        let _e279 = phi_529_;
+        phi_530_ = _e279;
     } else {
-        phi_498_ = 0f;
+        phi_530_ = 0f;
     }
-    let _e281 = phi_498_;
+    let _e281 = phi_530_;
     let _e282 = (_e80 - 1u);
     let _e284 = (_e281 * f32(_e80));
     if _e84 {
         let _e291 = select(select(u32(_e284), 0u, (_e284 < bitcast<f32>(0u))), 4294967295u, (_e284 > bitcast<f32>(1333788671u)));
         if (_e282 < _e291) {
-            phi_516_ = _e282;
+            phi_548_ = _e282;
         } else {
-            phi_516_ = _e291;
+            phi_548_ = _e291;
         }
-        let _e294 = phi_516_;
-        phi_555_ = texture_Axis(_e294, _e294, 0f);
+        let _e294 = phi_548_;
+        phi_587_ = texture_Axis(_e294, _e294, 0f);
     } else {
         let _e296 = (_e284 + 0.5f);
         let _e303 = select(select(u32(_e296), 0u, (_e296 < bitcast<f32>(0u))), 4294967295u, (_e296 > bitcast<f32>(1333788671u)));
         if (_e80 < _e303) {
-            phi_530_ = _e80;
+            phi_562_ = _e80;
         } else {
-            phi_530_ = _e303;
+            phi_562_ = _e303;
         }
-        let _e306 = phi_530_;
+        let _e306 = phi_562_;
         if (_e209 == 0u) {
-            phi_537_ = _e282;
+            phi_569_ = _e282;
         } else {
-            phi_537_ = 0u;
+            phi_569_ = 0u;
         }
-        let _e311 = phi_537_;
+        let _e311 = phi_569_;
         if (_e209 == 0u) {
-            phi_542_ = 0u;
+            phi_574_ = 0u;
         } else {
-            phi_542_ = _e282;
+            phi_574_ = _e282;
         }
-        let _e314 = phi_542_;
+        let _e314 = phi_574_;
         if (_e306 == 0u) {
-            phi_548_ = _e311;
+            phi_580_ = _e311;
         } else {
-            phi_548_ = (_e306 - 1u);
+            phi_580_ = (_e306 - 1u);
         }
-        let _e318 = phi_548_;
+        let _e318 = phi_580_;
         if (_e306 > _e282) {
-            phi_553_ = _e314;
+            phi_585_ = _e314;
         } else {
-            phi_553_ = _e306;
+            phi_585_ = _e306;
         }
-        let _e321 = phi_553_;
-        phi_555_ = texture_Axis(_e318, _e321, (_e296 - f32(_e306)));
+        let _e321 = phi_585_;
+        phi_587_ = texture_Axis(_e318, _e321, (_e296 - f32(_e306)));
     }
-    let _e324 = phi_555_;
-    let _e328 = (*param_3).offset;
-    let _e335 = (*param_3).offset;
-    let _e342 = (*param_3).offset;
-    let _e349 = (*param_3).offset;
+    let _e324 = phi_587_;
+    let _e328 = (*param_7).offset;
+    let _e335 = (*param_7).offset;
+    let _e342 = (*param_7).offset;
+    let _e349 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e328 + (_e324.low * _e76)) + _e204.low), ((_e335 + (_e324.low * _e76)) + _e204.high), ((_e342 + (_e324.high * _e76)) + _e204.low), ((_e349 + (_e324.high * _e76)) + _e204.high)), vec4<f32>(((1f - _e204.fraction) * (1f - _e324.fraction)), (_e204.fraction * (1f - _e324.fraction)), ((1f - _e204.fraction) * _e324.fraction), (_e204.fraction * _e324.fraction)));
 }
 
-fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_618_: bool;
-    var phi_622_: f32;
-
-    if (param_8 != param_8) {
-        phi_618_ = true;
-    } else {
-        let _e74 = (param_9 >= param_8);
-        if _e74 {
-        }
-        phi_618_ = _e74;
-    }
-    let _e76 = phi_618_;
-    if _e76 {
-        phi_622_ = param_9;
-    } else {
-        phi_622_ = param_8;
-    }
-    let _e78 = phi_622_;
-    return _e78;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_634_: bool;
-    var phi_638_: f32;
-
-    if (param_10 != param_10) {
-        phi_634_ = true;
-    } else {
-        let _e74 = (param_11 <= param_10);
-        if _e74 {
-        }
-        phi_634_ = _e74;
-    }
-    let _e76 = phi_634_;
-    if _e76 {
-        phi_638_ = param_11;
-    } else {
-        phi_638_ = param_10;
-    }
-    let _e78 = phi_638_;
-    return _e78;
+fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_10, 0f, param_11, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {

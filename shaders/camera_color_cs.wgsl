@@ -39,6 +39,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_30 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -48,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_27 {
+struct type_34 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -60,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_31 {
+struct type_38 {
     member: array<abi_Vertex>,
 }
 
@@ -72,11 +92,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_35 {
+struct type_42 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -90,28 +123,8 @@ struct texture_Axis {
     fraction: f32,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_45 {
+struct type_53 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_50 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -129,29 +142,17 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_31;
+var<storage> vertices: type_38;
 @group(0) @binding(4) 
-var<storage> materials: type_35;
+var<storage> materials: type_42;
 @group(0) @binding(0) 
-var<uniform> p: type_45;
+var<uniform> p: type_53;
 @group(0) @binding(1) 
-var<storage> nodes: type_50;
+var<storage> nodes: type_30;
 @group(0) @binding(2) 
-var<storage> triangles: type_27;
+var<storage> triangles: type_34;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
@@ -191,401 +192,401 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_258_: f32;
-    var phi_263_: f32;
-    var phi_264_: bool;
-    var phi_265_: f32;
-    var phi_266_: bool;
-    var phi_270_: f32;
-    var phi_296_: f32;
-    var phi_301_: f32;
-    var phi_302_: bool;
-    var phi_303_: f32;
-    var phi_304_: bool;
-    var phi_308_: f32;
-    var phi_316_: f32;
-    var phi_317_: f32;
-    var phi_318_: f32;
-    var phi_327_: f32;
-    var phi_328_: f32;
-    var phi_346_: u32;
-    var phi_360_: u32;
-    var phi_367_: u32;
-    var phi_372_: u32;
-    var phi_378_: u32;
-    var phi_383_: u32;
-    var phi_385_: texture_Axis;
-    var phi_413_: f32;
-    var phi_418_: f32;
-    var phi_419_: bool;
-    var phi_420_: f32;
-    var phi_421_: bool;
-    var phi_425_: f32;
-    var phi_451_: f32;
-    var phi_456_: f32;
-    var phi_457_: bool;
-    var phi_458_: f32;
-    var phi_459_: bool;
-    var phi_463_: f32;
-    var phi_471_: f32;
-    var phi_472_: f32;
-    var phi_473_: f32;
-    var phi_482_: f32;
-    var phi_483_: f32;
-    var phi_501_: u32;
-    var phi_515_: u32;
-    var phi_522_: u32;
-    var phi_527_: u32;
-    var phi_533_: u32;
-    var phi_538_: u32;
-    var phi_540_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_228_: bool;
+    var phi_232_: f32;
 
-    let _e72 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_228_ = true;
+    } else {
+        let _e71 = (param_4 >= param_3);
+        if _e71 {
+        }
+        phi_228_ = _e71;
+    }
+    let _e73 = phi_228_;
+    if _e73 {
+        phi_232_ = param_4;
+    } else {
+        phi_232_ = param_3;
+    }
+    let _e75 = phi_232_;
+    return _e75;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_244_: bool;
+    var phi_248_: f32;
+
+    if (param_5 != param_5) {
+        phi_244_ = true;
+    } else {
+        let _e71 = (param_6 <= param_5);
+        if _e71 {
+        }
+        phi_244_ = _e71;
+    }
+    let _e73 = phi_244_;
+    if _e73 {
+        phi_248_ = param_6;
+    } else {
+        phi_248_ = param_5;
+    }
+    let _e75 = phi_248_;
+    return _e75;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_290_: f32;
+    var phi_295_: f32;
+    var phi_296_: bool;
+    var phi_297_: f32;
+    var phi_298_: bool;
+    var phi_302_: f32;
+    var phi_328_: f32;
+    var phi_333_: f32;
+    var phi_334_: bool;
+    var phi_335_: f32;
+    var phi_336_: bool;
+    var phi_340_: f32;
+    var phi_348_: f32;
+    var phi_349_: f32;
+    var phi_350_: f32;
+    var phi_359_: f32;
+    var phi_360_: f32;
+    var phi_378_: u32;
+    var phi_392_: u32;
+    var phi_399_: u32;
+    var phi_404_: u32;
+    var phi_410_: u32;
+    var phi_415_: u32;
+    var phi_417_: texture_Axis;
+    var phi_445_: f32;
+    var phi_450_: f32;
+    var phi_451_: bool;
+    var phi_452_: f32;
+    var phi_453_: bool;
+    var phi_457_: f32;
+    var phi_483_: f32;
+    var phi_488_: f32;
+    var phi_489_: bool;
+    var phi_490_: f32;
+    var phi_491_: bool;
+    var phi_495_: f32;
+    var phi_503_: f32;
+    var phi_504_: f32;
+    var phi_505_: f32;
+    var phi_514_: f32;
+    var phi_515_: f32;
+    var phi_533_: u32;
+    var phi_547_: u32;
+    var phi_554_: u32;
+    var phi_559_: u32;
+    var phi_565_: u32;
+    var phi_570_: u32;
+    var phi_572_: texture_Axis;
+
+    let _e72 = (*param_7).size;
     let _e73 = (_e72 & 65535u);
-    let _e75 = (*param_3).size;
+    let _e75 = (*param_7).size;
     let _e77 = (_e75 >> bitcast<u32>(16i));
-    let _e79 = (*param_3).flags;
+    let _e79 = (*param_7).flags;
     let _e81 = ((_e79 & 4u) != 0u);
-    let _e83 = (*param_3).flags;
+    let _e83 = (*param_7).flags;
     let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
     if (_e86 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e99 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e99 > param_4) {
-                phi_258_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e99 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e99 > param_8) {
+                phi_290_ = 1f;
             } else {
-                phi_258_ = 0f;
+                phi_290_ = 0f;
             }
-            let _e102 = phi_258_;
-            if (param_4 < 8388608f) {
-                phi_263_ = (_e99 - _e102);
-                phi_264_ = false;
+            let _e102 = phi_290_;
+            if (param_8 < 8388608f) {
+                phi_295_ = (_e99 - _e102);
+                phi_296_ = false;
             } else {
-                phi_263_ = f32();
-                phi_264_ = true;
+                phi_295_ = f32();
+                phi_296_ = true;
             }
-            let _e105 = phi_263_;
-            let _e107 = phi_264_;
-            phi_265_ = _e105;
-            phi_266_ = _e107;
+            let _e105 = phi_295_;
+            let _e107 = phi_296_;
+            phi_297_ = _e105;
+            phi_298_ = _e107;
         } else {
-            phi_265_ = f32();
-            phi_266_ = true;
+            phi_297_ = f32();
+            phi_298_ = true;
         }
-        let _e109 = phi_265_;
-        let _e111 = phi_266_;
+        let _e109 = phi_297_;
+        let _e111 = phi_298_;
         if _e111 {
-            phi_270_ = param_4;
+            phi_302_ = param_8;
         } else {
-            phi_270_ = _e109;
+            phi_302_ = _e109;
         }
-        let _e113 = phi_270_;
-        phi_318_ = (param_4 - _e113);
+        let _e113 = phi_302_;
+        phi_350_ = (param_8 - _e113);
     } else {
         if (_e86 == 1u) {
-            let _e116 = (param_4 * 0.5f);
+            let _e116 = (param_8 * 0.5f);
             if (_e116 > -8388608f) {
                 let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
                 if (_e128 > _e116) {
-                    phi_296_ = 1f;
+                    phi_328_ = 1f;
                 } else {
-                    phi_296_ = 0f;
+                    phi_328_ = 0f;
                 }
-                let _e131 = phi_296_;
+                let _e131 = phi_328_;
                 if (_e116 < 8388608f) {
-                    phi_301_ = (_e128 - _e131);
-                    phi_302_ = false;
+                    phi_333_ = (_e128 - _e131);
+                    phi_334_ = false;
                 } else {
-                    phi_301_ = f32();
-                    phi_302_ = true;
+                    phi_333_ = f32();
+                    phi_334_ = true;
                 }
-                let _e134 = phi_301_;
-                let _e136 = phi_302_;
-                phi_303_ = _e134;
-                phi_304_ = _e136;
+                let _e134 = phi_333_;
+                let _e136 = phi_334_;
+                phi_335_ = _e134;
+                phi_336_ = _e136;
             } else {
-                phi_303_ = f32();
-                phi_304_ = true;
+                phi_335_ = f32();
+                phi_336_ = true;
             }
-            let _e138 = phi_303_;
-            let _e140 = phi_304_;
+            let _e138 = phi_335_;
+            let _e140 = phi_336_;
             if _e140 {
-                phi_308_ = _e116;
+                phi_340_ = _e116;
             } else {
-                phi_308_ = _e138;
+                phi_340_ = _e138;
             }
-            let _e142 = phi_308_;
-            let _e144 = (param_4 - (2f * _e142));
+            let _e142 = phi_340_;
+            let _e144 = (param_8 - (2f * _e142));
             if (_e144 > 1f) {
-                phi_316_ = (2f - _e144);
+                phi_348_ = (2f - _e144);
             } else {
-                phi_316_ = _e144;
+                phi_348_ = _e144;
             }
-            let _e148 = phi_316_;
-            phi_317_ = _e148;
+            let _e148 = phi_348_;
+            phi_349_ = _e148;
         } else {
-            phi_317_ = param_4;
+            phi_349_ = param_8;
         }
-        let _e150 = phi_317_;
-        phi_318_ = _e150;
+        let _e150 = phi_349_;
+        phi_350_ = _e150;
     }
-    let _e152 = phi_318_;
+    let _e152 = phi_350_;
     if (_e152 > 0f) {
         if (_e152 < 1f) {
-            phi_327_ = _e152;
+            phi_359_ = _e152;
         } else {
-            phi_327_ = 1f;
+            phi_359_ = 1f;
         }
-        let _e156 = phi_327_;
-        phi_328_ = _e156;
+        let _e156 = phi_359_;
+        phi_360_ = _e156;
     } else {
-        phi_328_ = 0f;
+        phi_360_ = 0f;
     }
-    let _e158 = phi_328_;
+    let _e158 = phi_360_;
     let _e159 = (_e73 - 1u);
     let _e161 = (_e158 * f32(_e73));
     if _e81 {
         let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
         if (_e159 < _e168) {
-            phi_346_ = _e159;
+            phi_378_ = _e159;
         } else {
-            phi_346_ = _e168;
+            phi_378_ = _e168;
         }
-        let _e171 = phi_346_;
-        phi_385_ = texture_Axis(_e171, _e171, 0f);
+        let _e171 = phi_378_;
+        phi_417_ = texture_Axis(_e171, _e171, 0f);
     } else {
         let _e173 = (_e161 + 0.5f);
         let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
         if (_e73 < _e180) {
-            phi_360_ = _e73;
+            phi_392_ = _e73;
         } else {
-            phi_360_ = _e180;
+            phi_392_ = _e180;
         }
-        let _e183 = phi_360_;
+        let _e183 = phi_392_;
         if (_e86 == 0u) {
-            phi_367_ = _e159;
+            phi_399_ = _e159;
         } else {
-            phi_367_ = 0u;
+            phi_399_ = 0u;
         }
-        let _e188 = phi_367_;
+        let _e188 = phi_399_;
         if (_e86 == 0u) {
-            phi_372_ = 0u;
+            phi_404_ = 0u;
         } else {
-            phi_372_ = _e159;
+            phi_404_ = _e159;
         }
-        let _e191 = phi_372_;
+        let _e191 = phi_404_;
         if (_e183 == 0u) {
-            phi_378_ = _e188;
+            phi_410_ = _e188;
         } else {
-            phi_378_ = (_e183 - 1u);
+            phi_410_ = (_e183 - 1u);
         }
-        let _e195 = phi_378_;
+        let _e195 = phi_410_;
         if (_e183 > _e159) {
-            phi_383_ = _e191;
+            phi_415_ = _e191;
         } else {
-            phi_383_ = _e183;
+            phi_415_ = _e183;
         }
-        let _e198 = phi_383_;
-        phi_385_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+        let _e198 = phi_415_;
+        phi_417_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e201 = phi_385_;
-    let _e203 = (*param_3).flags;
+    let _e201 = phi_417_;
+    let _e203 = (*param_7).flags;
     let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
     if (_e206 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e219 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e219 > param_5) {
-                phi_413_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e219 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e219 > param_9) {
+                phi_445_ = 1f;
             } else {
-                phi_413_ = 0f;
+                phi_445_ = 0f;
             }
-            let _e222 = phi_413_;
-            if (param_5 < 8388608f) {
-                phi_418_ = (_e219 - _e222);
-                phi_419_ = false;
+            let _e222 = phi_445_;
+            if (param_9 < 8388608f) {
+                phi_450_ = (_e219 - _e222);
+                phi_451_ = false;
             } else {
-                phi_418_ = f32();
-                phi_419_ = true;
+                phi_450_ = f32();
+                phi_451_ = true;
             }
-            let _e225 = phi_418_;
-            let _e227 = phi_419_;
-            phi_420_ = _e225;
-            phi_421_ = _e227;
+            let _e225 = phi_450_;
+            let _e227 = phi_451_;
+            phi_452_ = _e225;
+            phi_453_ = _e227;
         } else {
-            phi_420_ = f32();
-            phi_421_ = true;
+            phi_452_ = f32();
+            phi_453_ = true;
         }
-        let _e229 = phi_420_;
-        let _e231 = phi_421_;
+        let _e229 = phi_452_;
+        let _e231 = phi_453_;
         if _e231 {
-            phi_425_ = param_5;
+            phi_457_ = param_9;
         } else {
-            phi_425_ = _e229;
+            phi_457_ = _e229;
         }
-        let _e233 = phi_425_;
-        phi_473_ = (param_5 - _e233);
+        let _e233 = phi_457_;
+        phi_505_ = (param_9 - _e233);
     } else {
         if (_e206 == 1u) {
-            let _e236 = (param_5 * 0.5f);
+            let _e236 = (param_9 * 0.5f);
             if (_e236 > -8388608f) {
                 let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
                 if (_e248 > _e236) {
-                    phi_451_ = 1f;
+                    phi_483_ = 1f;
                 } else {
-                    phi_451_ = 0f;
+                    phi_483_ = 0f;
                 }
-                let _e251 = phi_451_;
+                let _e251 = phi_483_;
                 if (_e236 < 8388608f) {
-                    phi_456_ = (_e248 - _e251);
-                    phi_457_ = false;
+                    phi_488_ = (_e248 - _e251);
+                    phi_489_ = false;
                 } else {
-                    phi_456_ = f32();
-                    phi_457_ = true;
+                    phi_488_ = f32();
+                    phi_489_ = true;
                 }
-                let _e254 = phi_456_;
-                let _e256 = phi_457_;
-                phi_458_ = _e254;
-                phi_459_ = _e256;
+                let _e254 = phi_488_;
+                let _e256 = phi_489_;
+                phi_490_ = _e254;
+                phi_491_ = _e256;
             } else {
-                phi_458_ = f32();
-                phi_459_ = true;
+                phi_490_ = f32();
+                phi_491_ = true;
             }
-            let _e258 = phi_458_;
-            let _e260 = phi_459_;
+            let _e258 = phi_490_;
+            let _e260 = phi_491_;
             if _e260 {
-                phi_463_ = _e236;
+                phi_495_ = _e236;
             } else {
-                phi_463_ = _e258;
+                phi_495_ = _e258;
             }
-            let _e262 = phi_463_;
-            let _e264 = (param_5 - (2f * _e262));
+            let _e262 = phi_495_;
+            let _e264 = (param_9 - (2f * _e262));
             if (_e264 > 1f) {
-                phi_471_ = (2f - _e264);
+                phi_503_ = (2f - _e264);
             } else {
-                phi_471_ = _e264;
+                phi_503_ = _e264;
             }
-            let _e268 = phi_471_;
-            phi_472_ = _e268;
+            let _e268 = phi_503_;
+            phi_504_ = _e268;
         } else {
-            phi_472_ = param_5;
+            phi_504_ = param_9;
         }
-        let _e270 = phi_472_;
-        phi_473_ = _e270;
+        let _e270 = phi_504_;
+        phi_505_ = _e270;
     }
-    let _e272 = phi_473_;
+    let _e272 = phi_505_;
     if (_e272 > 0f) {
         if (_e272 < 1f) {
-            phi_482_ = _e272;
+            phi_514_ = _e272;
         } else {
-            phi_482_ = 1f;
+            phi_514_ = 1f;
         }
-        let _e276 = phi_482_;
-        phi_483_ = _e276;
+        let _e276 = phi_514_;
+        phi_515_ = _e276;
     } else {
-        phi_483_ = 0f;
+        phi_515_ = 0f;
     }
-    let _e278 = phi_483_;
+    let _e278 = phi_515_;
     let _e279 = (_e77 - 1u);
     let _e281 = (_e278 * f32(_e77));
     if _e81 {
         let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
         if (_e279 < _e288) {
-            phi_501_ = _e279;
+            phi_533_ = _e279;
         } else {
-            phi_501_ = _e288;
+            phi_533_ = _e288;
         }
-        let _e291 = phi_501_;
-        phi_540_ = texture_Axis(_e291, _e291, 0f);
+        let _e291 = phi_533_;
+        phi_572_ = texture_Axis(_e291, _e291, 0f);
     } else {
         let _e293 = (_e281 + 0.5f);
         let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
         if (_e77 < _e300) {
-            phi_515_ = _e77;
+            phi_547_ = _e77;
         } else {
-            phi_515_ = _e300;
+            phi_547_ = _e300;
         }
-        let _e303 = phi_515_;
+        let _e303 = phi_547_;
         if (_e206 == 0u) {
-            phi_522_ = _e279;
+            phi_554_ = _e279;
         } else {
-            phi_522_ = 0u;
+            phi_554_ = 0u;
         }
-        let _e308 = phi_522_;
+        let _e308 = phi_554_;
         if (_e206 == 0u) {
-            phi_527_ = 0u;
+            phi_559_ = 0u;
         } else {
-            phi_527_ = _e279;
+            phi_559_ = _e279;
         }
-        let _e311 = phi_527_;
+        let _e311 = phi_559_;
         if (_e303 == 0u) {
-            phi_533_ = _e308;
+            phi_565_ = _e308;
         } else {
-            phi_533_ = (_e303 - 1u);
+            phi_565_ = (_e303 - 1u);
         }
-        let _e315 = phi_533_;
+        let _e315 = phi_565_;
         if (_e303 > _e279) {
-            phi_538_ = _e311;
+            phi_570_ = _e311;
         } else {
-            phi_538_ = _e303;
+            phi_570_ = _e303;
         }
-        let _e318 = phi_538_;
-        phi_540_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+        let _e318 = phi_570_;
+        phi_572_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e321 = phi_540_;
-    let _e325 = (*param_3).offset;
-    let _e332 = (*param_3).offset;
-    let _e339 = (*param_3).offset;
-    let _e346 = (*param_3).offset;
+    let _e321 = phi_572_;
+    let _e325 = (*param_7).offset;
+    let _e332 = (*param_7).offset;
+    let _e339 = (*param_7).offset;
+    let _e346 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
 }
 
-fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_603_: bool;
-    var phi_607_: f32;
-
-    if (param_8 != param_8) {
-        phi_603_ = true;
-    } else {
-        let _e71 = (param_9 >= param_8);
-        if _e71 {
-        }
-        phi_603_ = _e71;
-    }
-    let _e73 = phi_603_;
-    if _e73 {
-        phi_607_ = param_9;
-    } else {
-        phi_607_ = param_8;
-    }
-    let _e75 = phi_607_;
-    return _e75;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_619_: bool;
-    var phi_623_: f32;
-
-    if (param_10 != param_10) {
-        phi_619_ = true;
-    } else {
-        let _e71 = (param_11 <= param_10);
-        if _e71 {
-        }
-        phi_619_ = _e71;
-    }
-    let _e73 = phi_619_;
-    if _e73 {
-        phi_623_ = param_11;
-    } else {
-        phi_623_ = param_10;
-    }
-    let _e75 = phi_623_;
-    return _e75;
+fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_10, 0f, param_11, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {

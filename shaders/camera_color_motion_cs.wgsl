@@ -43,6 +43,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -52,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_32 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -64,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_36 {
+struct type_43 {
     member: array<abi_Vertex>,
 }
 
@@ -76,11 +96,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_40 {
+struct type_47 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -94,28 +127,8 @@ struct texture_Axis {
     fraction: f32,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_50 {
+struct type_58 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_55 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -133,29 +146,17 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_36;
+var<storage> vertices: type_43;
 @group(0) @binding(4) 
-var<storage> materials: type_40;
+var<storage> materials: type_47;
 @group(0) @binding(0) 
-var<uniform> p: type_50;
+var<uniform> p: type_58;
 @group(0) @binding(1) 
-var<storage> nodes: type_55;
+var<storage> nodes: type_35;
 @group(0) @binding(2) 
-var<storage> triangles: type_32;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
@@ -199,401 +200,401 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_266_: f32;
-    var phi_271_: f32;
-    var phi_272_: bool;
-    var phi_273_: f32;
-    var phi_274_: bool;
-    var phi_278_: f32;
-    var phi_304_: f32;
-    var phi_309_: f32;
-    var phi_310_: bool;
-    var phi_311_: f32;
-    var phi_312_: bool;
-    var phi_316_: f32;
-    var phi_324_: f32;
-    var phi_325_: f32;
-    var phi_326_: f32;
-    var phi_335_: f32;
-    var phi_336_: f32;
-    var phi_354_: u32;
-    var phi_368_: u32;
-    var phi_375_: u32;
-    var phi_380_: u32;
-    var phi_386_: u32;
-    var phi_391_: u32;
-    var phi_393_: texture_Axis;
-    var phi_421_: f32;
-    var phi_426_: f32;
-    var phi_427_: bool;
-    var phi_428_: f32;
-    var phi_429_: bool;
-    var phi_433_: f32;
-    var phi_459_: f32;
-    var phi_464_: f32;
-    var phi_465_: bool;
-    var phi_466_: f32;
-    var phi_467_: bool;
-    var phi_471_: f32;
-    var phi_479_: f32;
-    var phi_480_: f32;
-    var phi_481_: f32;
-    var phi_490_: f32;
-    var phi_491_: f32;
-    var phi_509_: u32;
-    var phi_523_: u32;
-    var phi_530_: u32;
-    var phi_535_: u32;
-    var phi_541_: u32;
-    var phi_546_: u32;
-    var phi_548_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_236_: bool;
+    var phi_240_: f32;
 
-    let _e74 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_236_ = true;
+    } else {
+        let _e73 = (param_4 >= param_3);
+        if _e73 {
+        }
+        phi_236_ = _e73;
+    }
+    let _e75 = phi_236_;
+    if _e75 {
+        phi_240_ = param_4;
+    } else {
+        phi_240_ = param_3;
+    }
+    let _e77 = phi_240_;
+    return _e77;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_252_: bool;
+    var phi_256_: f32;
+
+    if (param_5 != param_5) {
+        phi_252_ = true;
+    } else {
+        let _e73 = (param_6 <= param_5);
+        if _e73 {
+        }
+        phi_252_ = _e73;
+    }
+    let _e75 = phi_252_;
+    if _e75 {
+        phi_256_ = param_6;
+    } else {
+        phi_256_ = param_5;
+    }
+    let _e77 = phi_256_;
+    return _e77;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_298_: f32;
+    var phi_303_: f32;
+    var phi_304_: bool;
+    var phi_305_: f32;
+    var phi_306_: bool;
+    var phi_310_: f32;
+    var phi_336_: f32;
+    var phi_341_: f32;
+    var phi_342_: bool;
+    var phi_343_: f32;
+    var phi_344_: bool;
+    var phi_348_: f32;
+    var phi_356_: f32;
+    var phi_357_: f32;
+    var phi_358_: f32;
+    var phi_367_: f32;
+    var phi_368_: f32;
+    var phi_386_: u32;
+    var phi_400_: u32;
+    var phi_407_: u32;
+    var phi_412_: u32;
+    var phi_418_: u32;
+    var phi_423_: u32;
+    var phi_425_: texture_Axis;
+    var phi_453_: f32;
+    var phi_458_: f32;
+    var phi_459_: bool;
+    var phi_460_: f32;
+    var phi_461_: bool;
+    var phi_465_: f32;
+    var phi_491_: f32;
+    var phi_496_: f32;
+    var phi_497_: bool;
+    var phi_498_: f32;
+    var phi_499_: bool;
+    var phi_503_: f32;
+    var phi_511_: f32;
+    var phi_512_: f32;
+    var phi_513_: f32;
+    var phi_522_: f32;
+    var phi_523_: f32;
+    var phi_541_: u32;
+    var phi_555_: u32;
+    var phi_562_: u32;
+    var phi_567_: u32;
+    var phi_573_: u32;
+    var phi_578_: u32;
+    var phi_580_: texture_Axis;
+
+    let _e74 = (*param_7).size;
     let _e75 = (_e74 & 65535u);
-    let _e77 = (*param_3).size;
+    let _e77 = (*param_7).size;
     let _e79 = (_e77 >> bitcast<u32>(16i));
-    let _e81 = (*param_3).flags;
+    let _e81 = (*param_7).flags;
     let _e83 = ((_e81 & 4u) != 0u);
-    let _e85 = (*param_3).flags;
+    let _e85 = (*param_7).flags;
     let _e88 = ((_e85 >> bitcast<u32>(4u)) & 3u);
     if (_e88 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e101 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e101 > param_4) {
-                phi_266_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e101 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e101 > param_8) {
+                phi_298_ = 1f;
             } else {
-                phi_266_ = 0f;
+                phi_298_ = 0f;
             }
-            let _e104 = phi_266_;
-            if (param_4 < 8388608f) {
-                phi_271_ = (_e101 - _e104);
-                phi_272_ = false;
+            let _e104 = phi_298_;
+            if (param_8 < 8388608f) {
+                phi_303_ = (_e101 - _e104);
+                phi_304_ = false;
             } else {
-                phi_271_ = f32();
-                phi_272_ = true;
+                phi_303_ = f32();
+                phi_304_ = true;
             }
-            let _e107 = phi_271_;
-            let _e109 = phi_272_;
-            phi_273_ = _e107;
-            phi_274_ = _e109;
+            let _e107 = phi_303_;
+            let _e109 = phi_304_;
+            phi_305_ = _e107;
+            phi_306_ = _e109;
         } else {
-            phi_273_ = f32();
-            phi_274_ = true;
+            phi_305_ = f32();
+            phi_306_ = true;
         }
-        let _e111 = phi_273_;
-        let _e113 = phi_274_;
+        let _e111 = phi_305_;
+        let _e113 = phi_306_;
         if _e113 {
-            phi_278_ = param_4;
+            phi_310_ = param_8;
         } else {
-            phi_278_ = _e111;
+            phi_310_ = _e111;
         }
-        let _e115 = phi_278_;
-        phi_326_ = (param_4 - _e115);
+        let _e115 = phi_310_;
+        phi_358_ = (param_8 - _e115);
     } else {
         if (_e88 == 1u) {
-            let _e118 = (param_4 * 0.5f);
+            let _e118 = (param_8 * 0.5f);
             if (_e118 > -8388608f) {
                 let _e130 = f32(select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)));
                 if (_e130 > _e118) {
-                    phi_304_ = 1f;
+                    phi_336_ = 1f;
                 } else {
-                    phi_304_ = 0f;
+                    phi_336_ = 0f;
                 }
-                let _e133 = phi_304_;
+                let _e133 = phi_336_;
                 if (_e118 < 8388608f) {
-                    phi_309_ = (_e130 - _e133);
-                    phi_310_ = false;
+                    phi_341_ = (_e130 - _e133);
+                    phi_342_ = false;
                 } else {
-                    phi_309_ = f32();
-                    phi_310_ = true;
+                    phi_341_ = f32();
+                    phi_342_ = true;
                 }
-                let _e136 = phi_309_;
-                let _e138 = phi_310_;
-                phi_311_ = _e136;
-                phi_312_ = _e138;
+                let _e136 = phi_341_;
+                let _e138 = phi_342_;
+                phi_343_ = _e136;
+                phi_344_ = _e138;
             } else {
-                phi_311_ = f32();
-                phi_312_ = true;
+                phi_343_ = f32();
+                phi_344_ = true;
             }
-            let _e140 = phi_311_;
-            let _e142 = phi_312_;
+            let _e140 = phi_343_;
+            let _e142 = phi_344_;
             if _e142 {
-                phi_316_ = _e118;
+                phi_348_ = _e118;
             } else {
-                phi_316_ = _e140;
+                phi_348_ = _e140;
             }
-            let _e144 = phi_316_;
-            let _e146 = (param_4 - (2f * _e144));
+            let _e144 = phi_348_;
+            let _e146 = (param_8 - (2f * _e144));
             if (_e146 > 1f) {
-                phi_324_ = (2f - _e146);
+                phi_356_ = (2f - _e146);
             } else {
-                phi_324_ = _e146;
+                phi_356_ = _e146;
             }
-            let _e150 = phi_324_;
-            phi_325_ = _e150;
+            let _e150 = phi_356_;
+            phi_357_ = _e150;
         } else {
-            phi_325_ = param_4;
+            phi_357_ = param_8;
         }
-        let _e152 = phi_325_;
-        phi_326_ = _e152;
+        let _e152 = phi_357_;
+        phi_358_ = _e152;
     }
-    let _e154 = phi_326_;
+    let _e154 = phi_358_;
     if (_e154 > 0f) {
         if (_e154 < 1f) {
-            phi_335_ = _e154;
+            phi_367_ = _e154;
         } else {
-            phi_335_ = 1f;
+            phi_367_ = 1f;
         }
-        let _e158 = phi_335_;
-        phi_336_ = _e158;
+        let _e158 = phi_367_;
+        phi_368_ = _e158;
     } else {
-        phi_336_ = 0f;
+        phi_368_ = 0f;
     }
-    let _e160 = phi_336_;
+    let _e160 = phi_368_;
     let _e161 = (_e75 - 1u);
     let _e163 = (_e160 * f32(_e75));
     if _e83 {
         let _e170 = select(select(u32(_e163), 0u, (_e163 < bitcast<f32>(0u))), 4294967295u, (_e163 > bitcast<f32>(1333788671u)));
         if (_e161 < _e170) {
-            phi_354_ = _e161;
+            phi_386_ = _e161;
         } else {
-            phi_354_ = _e170;
+            phi_386_ = _e170;
         }
-        let _e173 = phi_354_;
-        phi_393_ = texture_Axis(_e173, _e173, 0f);
+        let _e173 = phi_386_;
+        phi_425_ = texture_Axis(_e173, _e173, 0f);
     } else {
         let _e175 = (_e163 + 0.5f);
         let _e182 = select(select(u32(_e175), 0u, (_e175 < bitcast<f32>(0u))), 4294967295u, (_e175 > bitcast<f32>(1333788671u)));
         if (_e75 < _e182) {
-            phi_368_ = _e75;
+            phi_400_ = _e75;
         } else {
-            phi_368_ = _e182;
+            phi_400_ = _e182;
         }
-        let _e185 = phi_368_;
+        let _e185 = phi_400_;
         if (_e88 == 0u) {
-            phi_375_ = _e161;
+            phi_407_ = _e161;
         } else {
-            phi_375_ = 0u;
+            phi_407_ = 0u;
         }
-        let _e190 = phi_375_;
+        let _e190 = phi_407_;
         if (_e88 == 0u) {
-            phi_380_ = 0u;
+            phi_412_ = 0u;
         } else {
-            phi_380_ = _e161;
+            phi_412_ = _e161;
         }
-        let _e193 = phi_380_;
+        let _e193 = phi_412_;
         if (_e185 == 0u) {
-            phi_386_ = _e190;
+            phi_418_ = _e190;
         } else {
-            phi_386_ = (_e185 - 1u);
+            phi_418_ = (_e185 - 1u);
         }
-        let _e197 = phi_386_;
+        let _e197 = phi_418_;
         if (_e185 > _e161) {
-            phi_391_ = _e193;
+            phi_423_ = _e193;
         } else {
-            phi_391_ = _e185;
+            phi_423_ = _e185;
         }
-        let _e200 = phi_391_;
-        phi_393_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
+        let _e200 = phi_423_;
+        phi_425_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
     }
-    let _e203 = phi_393_;
-    let _e205 = (*param_3).flags;
+    let _e203 = phi_425_;
+    let _e205 = (*param_7).flags;
     let _e208 = ((_e205 >> bitcast<u32>(6u)) & 3u);
     if (_e208 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e221 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e221 > param_5) {
-                phi_421_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e221 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e221 > param_9) {
+                phi_453_ = 1f;
             } else {
-                phi_421_ = 0f;
+                phi_453_ = 0f;
             }
-            let _e224 = phi_421_;
-            if (param_5 < 8388608f) {
-                phi_426_ = (_e221 - _e224);
-                phi_427_ = false;
+            let _e224 = phi_453_;
+            if (param_9 < 8388608f) {
+                phi_458_ = (_e221 - _e224);
+                phi_459_ = false;
             } else {
-                phi_426_ = f32();
-                phi_427_ = true;
+                phi_458_ = f32();
+                phi_459_ = true;
             }
-            let _e227 = phi_426_;
-            let _e229 = phi_427_;
-            phi_428_ = _e227;
-            phi_429_ = _e229;
+            let _e227 = phi_458_;
+            let _e229 = phi_459_;
+            phi_460_ = _e227;
+            phi_461_ = _e229;
         } else {
-            phi_428_ = f32();
-            phi_429_ = true;
+            phi_460_ = f32();
+            phi_461_ = true;
         }
-        let _e231 = phi_428_;
-        let _e233 = phi_429_;
+        let _e231 = phi_460_;
+        let _e233 = phi_461_;
         if _e233 {
-            phi_433_ = param_5;
+            phi_465_ = param_9;
         } else {
-            phi_433_ = _e231;
+            phi_465_ = _e231;
         }
-        let _e235 = phi_433_;
-        phi_481_ = (param_5 - _e235);
+        let _e235 = phi_465_;
+        phi_513_ = (param_9 - _e235);
     } else {
         if (_e208 == 1u) {
-            let _e238 = (param_5 * 0.5f);
+            let _e238 = (param_9 * 0.5f);
             if (_e238 > -8388608f) {
                 let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
                 if (_e250 > _e238) {
-                    phi_459_ = 1f;
+                    phi_491_ = 1f;
                 } else {
-                    phi_459_ = 0f;
+                    phi_491_ = 0f;
                 }
-                let _e253 = phi_459_;
+                let _e253 = phi_491_;
                 if (_e238 < 8388608f) {
-                    phi_464_ = (_e250 - _e253);
-                    phi_465_ = false;
+                    phi_496_ = (_e250 - _e253);
+                    phi_497_ = false;
                 } else {
-                    phi_464_ = f32();
-                    phi_465_ = true;
+                    phi_496_ = f32();
+                    phi_497_ = true;
                 }
-                let _e256 = phi_464_;
-                let _e258 = phi_465_;
-                phi_466_ = _e256;
-                phi_467_ = _e258;
+                let _e256 = phi_496_;
+                let _e258 = phi_497_;
+                phi_498_ = _e256;
+                phi_499_ = _e258;
             } else {
-                phi_466_ = f32();
-                phi_467_ = true;
+                phi_498_ = f32();
+                phi_499_ = true;
             }
-            let _e260 = phi_466_;
-            let _e262 = phi_467_;
+            let _e260 = phi_498_;
+            let _e262 = phi_499_;
             if _e262 {
-                phi_471_ = _e238;
+                phi_503_ = _e238;
             } else {
-                phi_471_ = _e260;
+                phi_503_ = _e260;
             }
-            let _e264 = phi_471_;
-            let _e266 = (param_5 - (2f * _e264));
+            let _e264 = phi_503_;
+            let _e266 = (param_9 - (2f * _e264));
             if (_e266 > 1f) {
-                phi_479_ = (2f - _e266);
+                phi_511_ = (2f - _e266);
             } else {
-                phi_479_ = _e266;
+                phi_511_ = _e266;
             }
-            let _e270 = phi_479_;
-            phi_480_ = _e270;
+            let _e270 = phi_511_;
+            phi_512_ = _e270;
         } else {
-            phi_480_ = param_5;
+            phi_512_ = param_9;
         }
-        let _e272 = phi_480_;
-        phi_481_ = _e272;
+        let _e272 = phi_512_;
+        phi_513_ = _e272;
     }
-    let _e274 = phi_481_;
+    let _e274 = phi_513_;
     if (_e274 > 0f) {
         if (_e274 < 1f) {
-            phi_490_ = _e274;
+            phi_522_ = _e274;
         } else {
-            phi_490_ = 1f;
+            phi_522_ = 1f;
         }
-        let _e278 = phi_490_;
-        phi_491_ = _e278;
+        let _e278 = phi_522_;
+        phi_523_ = _e278;
     } else {
-        phi_491_ = 0f;
+        phi_523_ = 0f;
     }
-    let _e280 = phi_491_;
+    let _e280 = phi_523_;
     let _e281 = (_e79 - 1u);
     let _e283 = (_e280 * f32(_e79));
     if _e83 {
         let _e290 = select(select(u32(_e283), 0u, (_e283 < bitcast<f32>(0u))), 4294967295u, (_e283 > bitcast<f32>(1333788671u)));
         if (_e281 < _e290) {
-            phi_509_ = _e281;
+            phi_541_ = _e281;
         } else {
-            phi_509_ = _e290;
+            phi_541_ = _e290;
         }
-        let _e293 = phi_509_;
-        phi_548_ = texture_Axis(_e293, _e293, 0f);
+        let _e293 = phi_541_;
+        phi_580_ = texture_Axis(_e293, _e293, 0f);
     } else {
         let _e295 = (_e283 + 0.5f);
         let _e302 = select(select(u32(_e295), 0u, (_e295 < bitcast<f32>(0u))), 4294967295u, (_e295 > bitcast<f32>(1333788671u)));
         if (_e79 < _e302) {
-            phi_523_ = _e79;
+            phi_555_ = _e79;
         } else {
-            phi_523_ = _e302;
+            phi_555_ = _e302;
         }
-        let _e305 = phi_523_;
+        let _e305 = phi_555_;
         if (_e208 == 0u) {
-            phi_530_ = _e281;
+            phi_562_ = _e281;
         } else {
-            phi_530_ = 0u;
+            phi_562_ = 0u;
         }
-        let _e310 = phi_530_;
+        let _e310 = phi_562_;
         if (_e208 == 0u) {
-            phi_535_ = 0u;
+            phi_567_ = 0u;
         } else {
-            phi_535_ = _e281;
+            phi_567_ = _e281;
         }
-        let _e313 = phi_535_;
+        let _e313 = phi_567_;
         if (_e305 == 0u) {
-            phi_541_ = _e310;
+            phi_573_ = _e310;
         } else {
-            phi_541_ = (_e305 - 1u);
+            phi_573_ = (_e305 - 1u);
         }
-        let _e317 = phi_541_;
+        let _e317 = phi_573_;
         if (_e305 > _e281) {
-            phi_546_ = _e313;
+            phi_578_ = _e313;
         } else {
-            phi_546_ = _e305;
+            phi_578_ = _e305;
         }
-        let _e320 = phi_546_;
-        phi_548_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
+        let _e320 = phi_578_;
+        phi_580_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
     }
-    let _e323 = phi_548_;
-    let _e327 = (*param_3).offset;
-    let _e334 = (*param_3).offset;
-    let _e341 = (*param_3).offset;
-    let _e348 = (*param_3).offset;
+    let _e323 = phi_580_;
+    let _e327 = (*param_7).offset;
+    let _e334 = (*param_7).offset;
+    let _e341 = (*param_7).offset;
+    let _e348 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e327 + (_e323.low * _e75)) + _e203.low), ((_e334 + (_e323.low * _e75)) + _e203.high), ((_e341 + (_e323.high * _e75)) + _e203.low), ((_e348 + (_e323.high * _e75)) + _e203.high)), vec4<f32>(((1f - _e203.fraction) * (1f - _e323.fraction)), (_e203.fraction * (1f - _e323.fraction)), ((1f - _e203.fraction) * _e323.fraction), (_e203.fraction * _e323.fraction)));
 }
 
-fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_611_: bool;
-    var phi_615_: f32;
-
-    if (param_8 != param_8) {
-        phi_611_ = true;
-    } else {
-        let _e73 = (param_9 >= param_8);
-        if _e73 {
-        }
-        phi_611_ = _e73;
-    }
-    let _e75 = phi_611_;
-    if _e75 {
-        phi_615_ = param_9;
-    } else {
-        phi_615_ = param_8;
-    }
-    let _e77 = phi_615_;
-    return _e77;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_627_: bool;
-    var phi_631_: f32;
-
-    if (param_10 != param_10) {
-        phi_627_ = true;
-    } else {
-        let _e73 = (param_11 <= param_10);
-        if _e73 {
-        }
-        phi_627_ = _e73;
-    }
-    let _e75 = phi_627_;
-    if _e75 {
-        phi_631_ = param_11;
-    } else {
-        phi_631_ = param_10;
-    }
-    let _e77 = phi_631_;
-    return _e77;
+fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_10, 0f, param_11, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {

@@ -29,6 +29,26 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_25 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -38,7 +58,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_22 {
+struct type_29 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -50,7 +70,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_26 {
+struct type_33 {
     member: array<abi_Vertex>,
 }
 
@@ -62,35 +82,28 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_30 {
+struct type_37 {
     member: array<abi_Material>,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
-struct type_39 {
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
+}
+
+struct type_47 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_44 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -108,29 +121,17 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_26;
+var<storage> vertices: type_33;
 @group(0) @binding(4) 
-var<storage> materials: type_30;
+var<storage> materials: type_37;
 @group(0) @binding(0) 
-var<uniform> p: type_39;
+var<uniform> p: type_47;
 @group(0) @binding(1) 
-var<storage> nodes: type_44;
+var<storage> nodes: type_25;
 @group(0) @binding(2) 
-var<storage> triangles: type_22;
+var<storage> triangles: type_29;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 
@@ -168,52 +169,52 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e84.root, _e84.first_primitive);
 }
 
-fn _lt_bvh_ray_Ray_new(param_3: vec3<f32>, param_4: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_3, 0f, param_4, 300000000000000000000000000000000000000f);
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_207_: bool;
+    var phi_211_: f32;
+
+    if (param_3 != param_3) {
+        phi_207_ = true;
+    } else {
+        let _e63 = (param_4 >= param_3);
+        if _e63 {
+        }
+        phi_207_ = _e63;
+    }
+    let _e65 = phi_207_;
+    if _e65 {
+        phi_211_ = param_4;
+    } else {
+        phi_211_ = param_3;
+    }
+    let _e67 = phi_211_;
+    return _e67;
 }
 
-fn core_intrinsics_maximum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_211_: bool;
-    var phi_215_: f32;
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_223_: bool;
+    var phi_227_: f32;
 
     if (param_5 != param_5) {
-        phi_211_ = true;
+        phi_223_ = true;
     } else {
-        let _e63 = (param_6 >= param_5);
+        let _e63 = (param_6 <= param_5);
         if _e63 {
         }
-        phi_211_ = _e63;
+        phi_223_ = _e63;
     }
-    let _e65 = phi_211_;
+    let _e65 = phi_223_;
     if _e65 {
-        phi_215_ = param_6;
+        phi_227_ = param_6;
     } else {
-        phi_215_ = param_5;
+        phi_227_ = param_5;
     }
-    let _e67 = phi_215_;
+    let _e67 = phi_227_;
     return _e67;
 }
 
-fn core_intrinsics_minimum_number_nsz_f32_(param_7: f32, param_8: f32) -> f32 {
-    var phi_227_: bool;
-    var phi_231_: f32;
-
-    if (param_7 != param_7) {
-        phi_227_ = true;
-    } else {
-        let _e63 = (param_8 <= param_7);
-        if _e63 {
-        }
-        phi_227_ = _e63;
-    }
-    let _e65 = phi_227_;
-    if _e65 {
-        phi_231_ = param_8;
-    } else {
-        phi_231_ = param_7;
-    }
-    let _e67 = phi_231_;
-    return _e67;
+fn _lt_bvh_ray_Ray_new(param_7: vec3<f32>, param_8: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_7, 0f, param_8, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_9: f32, param_10: f32) -> f32 {

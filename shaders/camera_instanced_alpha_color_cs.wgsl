@@ -39,6 +39,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_31 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -48,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_28 {
+struct type_35 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -60,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_32 {
+struct type_39 {
     member: array<abi_Vertex>,
 }
 
@@ -72,11 +92,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_36 {
+struct type_43 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -101,32 +134,12 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_47 {
+struct type_57 {
     member: array<lt_bvh_Instance>,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_53 {
+struct type_61 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_58 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -144,33 +157,21 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_32;
+var<storage> vertices: type_39;
 @group(0) @binding(4) 
-var<storage> materials: type_36;
+var<storage> materials: type_43;
 @group(0) @binding(0) 
-var<uniform> p: type_53;
+var<uniform> p: type_61;
 @group(0) @binding(1) 
-var<storage> nodes: type_58;
+var<storage> nodes: type_31;
 @group(0) @binding(2) 
-var<storage> triangles: type_28;
+var<storage> triangles: type_35;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_47;
+var<storage> instances: type_57;
 @group(0) @binding(7) 
 var<storage> alpha_texels: type_13;
 @group(0) @binding(8) 
@@ -210,401 +211,401 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_275_: f32;
-    var phi_280_: f32;
-    var phi_281_: bool;
-    var phi_282_: f32;
-    var phi_283_: bool;
-    var phi_287_: f32;
-    var phi_313_: f32;
-    var phi_318_: f32;
-    var phi_319_: bool;
-    var phi_320_: f32;
-    var phi_321_: bool;
-    var phi_325_: f32;
-    var phi_333_: f32;
-    var phi_334_: f32;
-    var phi_335_: f32;
-    var phi_344_: f32;
-    var phi_345_: f32;
-    var phi_363_: u32;
-    var phi_377_: u32;
-    var phi_384_: u32;
-    var phi_389_: u32;
-    var phi_395_: u32;
-    var phi_400_: u32;
-    var phi_402_: texture_Axis;
-    var phi_430_: f32;
-    var phi_435_: f32;
-    var phi_436_: bool;
-    var phi_437_: f32;
-    var phi_438_: bool;
-    var phi_442_: f32;
-    var phi_468_: f32;
-    var phi_473_: f32;
-    var phi_474_: bool;
-    var phi_475_: f32;
-    var phi_476_: bool;
-    var phi_480_: f32;
-    var phi_488_: f32;
-    var phi_489_: f32;
-    var phi_490_: f32;
-    var phi_499_: f32;
-    var phi_500_: f32;
-    var phi_518_: u32;
-    var phi_532_: u32;
-    var phi_539_: u32;
-    var phi_544_: u32;
-    var phi_550_: u32;
-    var phi_555_: u32;
-    var phi_557_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_245_: bool;
+    var phi_249_: f32;
 
-    let _e74 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_245_ = true;
+    } else {
+        let _e73 = (param_4 >= param_3);
+        if _e73 {
+        }
+        phi_245_ = _e73;
+    }
+    let _e75 = phi_245_;
+    if _e75 {
+        phi_249_ = param_4;
+    } else {
+        phi_249_ = param_3;
+    }
+    let _e77 = phi_249_;
+    return _e77;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_261_: bool;
+    var phi_265_: f32;
+
+    if (param_5 != param_5) {
+        phi_261_ = true;
+    } else {
+        let _e73 = (param_6 <= param_5);
+        if _e73 {
+        }
+        phi_261_ = _e73;
+    }
+    let _e75 = phi_261_;
+    if _e75 {
+        phi_265_ = param_6;
+    } else {
+        phi_265_ = param_5;
+    }
+    let _e77 = phi_265_;
+    return _e77;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_307_: f32;
+    var phi_312_: f32;
+    var phi_313_: bool;
+    var phi_314_: f32;
+    var phi_315_: bool;
+    var phi_319_: f32;
+    var phi_345_: f32;
+    var phi_350_: f32;
+    var phi_351_: bool;
+    var phi_352_: f32;
+    var phi_353_: bool;
+    var phi_357_: f32;
+    var phi_365_: f32;
+    var phi_366_: f32;
+    var phi_367_: f32;
+    var phi_376_: f32;
+    var phi_377_: f32;
+    var phi_395_: u32;
+    var phi_409_: u32;
+    var phi_416_: u32;
+    var phi_421_: u32;
+    var phi_427_: u32;
+    var phi_432_: u32;
+    var phi_434_: texture_Axis;
+    var phi_462_: f32;
+    var phi_467_: f32;
+    var phi_468_: bool;
+    var phi_469_: f32;
+    var phi_470_: bool;
+    var phi_474_: f32;
+    var phi_500_: f32;
+    var phi_505_: f32;
+    var phi_506_: bool;
+    var phi_507_: f32;
+    var phi_508_: bool;
+    var phi_512_: f32;
+    var phi_520_: f32;
+    var phi_521_: f32;
+    var phi_522_: f32;
+    var phi_531_: f32;
+    var phi_532_: f32;
+    var phi_550_: u32;
+    var phi_564_: u32;
+    var phi_571_: u32;
+    var phi_576_: u32;
+    var phi_582_: u32;
+    var phi_587_: u32;
+    var phi_589_: texture_Axis;
+
+    let _e74 = (*param_7).size;
     let _e75 = (_e74 & 65535u);
-    let _e77 = (*param_3).size;
+    let _e77 = (*param_7).size;
     let _e79 = (_e77 >> bitcast<u32>(16i));
-    let _e81 = (*param_3).flags;
+    let _e81 = (*param_7).flags;
     let _e83 = ((_e81 & 4u) != 0u);
-    let _e85 = (*param_3).flags;
+    let _e85 = (*param_7).flags;
     let _e88 = ((_e85 >> bitcast<u32>(4u)) & 3u);
     if (_e88 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e101 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e101 > param_4) {
-                phi_275_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e101 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e101 > param_8) {
+                phi_307_ = 1f;
             } else {
-                phi_275_ = 0f;
+                phi_307_ = 0f;
             }
-            let _e104 = phi_275_;
-            if (param_4 < 8388608f) {
-                phi_280_ = (_e101 - _e104);
-                phi_281_ = false;
+            let _e104 = phi_307_;
+            if (param_8 < 8388608f) {
+                phi_312_ = (_e101 - _e104);
+                phi_313_ = false;
             } else {
-                phi_280_ = f32();
-                phi_281_ = true;
+                phi_312_ = f32();
+                phi_313_ = true;
             }
-            let _e107 = phi_280_;
-            let _e109 = phi_281_;
-            phi_282_ = _e107;
-            phi_283_ = _e109;
+            let _e107 = phi_312_;
+            let _e109 = phi_313_;
+            phi_314_ = _e107;
+            phi_315_ = _e109;
         } else {
-            phi_282_ = f32();
-            phi_283_ = true;
+            phi_314_ = f32();
+            phi_315_ = true;
         }
-        let _e111 = phi_282_;
-        let _e113 = phi_283_;
+        let _e111 = phi_314_;
+        let _e113 = phi_315_;
         if _e113 {
-            phi_287_ = param_4;
+            phi_319_ = param_8;
         } else {
-            phi_287_ = _e111;
+            phi_319_ = _e111;
         }
-        let _e115 = phi_287_;
-        phi_335_ = (param_4 - _e115);
+        let _e115 = phi_319_;
+        phi_367_ = (param_8 - _e115);
     } else {
         if (_e88 == 1u) {
-            let _e118 = (param_4 * 0.5f);
+            let _e118 = (param_8 * 0.5f);
             if (_e118 > -8388608f) {
                 let _e130 = f32(select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)));
                 if (_e130 > _e118) {
-                    phi_313_ = 1f;
+                    phi_345_ = 1f;
                 } else {
-                    phi_313_ = 0f;
+                    phi_345_ = 0f;
                 }
-                let _e133 = phi_313_;
+                let _e133 = phi_345_;
                 if (_e118 < 8388608f) {
-                    phi_318_ = (_e130 - _e133);
-                    phi_319_ = false;
+                    phi_350_ = (_e130 - _e133);
+                    phi_351_ = false;
                 } else {
-                    phi_318_ = f32();
-                    phi_319_ = true;
+                    phi_350_ = f32();
+                    phi_351_ = true;
                 }
-                let _e136 = phi_318_;
-                let _e138 = phi_319_;
-                phi_320_ = _e136;
-                phi_321_ = _e138;
+                let _e136 = phi_350_;
+                let _e138 = phi_351_;
+                phi_352_ = _e136;
+                phi_353_ = _e138;
             } else {
-                phi_320_ = f32();
-                phi_321_ = true;
+                phi_352_ = f32();
+                phi_353_ = true;
             }
-            let _e140 = phi_320_;
-            let _e142 = phi_321_;
+            let _e140 = phi_352_;
+            let _e142 = phi_353_;
             if _e142 {
-                phi_325_ = _e118;
+                phi_357_ = _e118;
             } else {
-                phi_325_ = _e140;
+                phi_357_ = _e140;
             }
-            let _e144 = phi_325_;
-            let _e146 = (param_4 - (2f * _e144));
+            let _e144 = phi_357_;
+            let _e146 = (param_8 - (2f * _e144));
             if (_e146 > 1f) {
-                phi_333_ = (2f - _e146);
+                phi_365_ = (2f - _e146);
             } else {
-                phi_333_ = _e146;
+                phi_365_ = _e146;
             }
-            let _e150 = phi_333_;
-            phi_334_ = _e150;
+            let _e150 = phi_365_;
+            phi_366_ = _e150;
         } else {
-            phi_334_ = param_4;
+            phi_366_ = param_8;
         }
-        let _e152 = phi_334_;
-        phi_335_ = _e152;
+        let _e152 = phi_366_;
+        phi_367_ = _e152;
     }
-    let _e154 = phi_335_;
+    let _e154 = phi_367_;
     if (_e154 > 0f) {
         if (_e154 < 1f) {
-            phi_344_ = _e154;
+            phi_376_ = _e154;
         } else {
-            phi_344_ = 1f;
+            phi_376_ = 1f;
         }
-        let _e158 = phi_344_;
-        phi_345_ = _e158;
+        let _e158 = phi_376_;
+        phi_377_ = _e158;
     } else {
-        phi_345_ = 0f;
+        phi_377_ = 0f;
     }
-    let _e160 = phi_345_;
+    let _e160 = phi_377_;
     let _e161 = (_e75 - 1u);
     let _e163 = (_e160 * f32(_e75));
     if _e83 {
         let _e170 = select(select(u32(_e163), 0u, (_e163 < bitcast<f32>(0u))), 4294967295u, (_e163 > bitcast<f32>(1333788671u)));
         if (_e161 < _e170) {
-            phi_363_ = _e161;
+            phi_395_ = _e161;
         } else {
-            phi_363_ = _e170;
+            phi_395_ = _e170;
         }
-        let _e173 = phi_363_;
-        phi_402_ = texture_Axis(_e173, _e173, 0f);
+        let _e173 = phi_395_;
+        phi_434_ = texture_Axis(_e173, _e173, 0f);
     } else {
         let _e175 = (_e163 + 0.5f);
         let _e182 = select(select(u32(_e175), 0u, (_e175 < bitcast<f32>(0u))), 4294967295u, (_e175 > bitcast<f32>(1333788671u)));
         if (_e75 < _e182) {
-            phi_377_ = _e75;
+            phi_409_ = _e75;
         } else {
-            phi_377_ = _e182;
+            phi_409_ = _e182;
         }
-        let _e185 = phi_377_;
+        let _e185 = phi_409_;
         if (_e88 == 0u) {
-            phi_384_ = _e161;
+            phi_416_ = _e161;
         } else {
-            phi_384_ = 0u;
+            phi_416_ = 0u;
         }
-        let _e190 = phi_384_;
+        let _e190 = phi_416_;
         if (_e88 == 0u) {
-            phi_389_ = 0u;
+            phi_421_ = 0u;
         } else {
-            phi_389_ = _e161;
+            phi_421_ = _e161;
         }
-        let _e193 = phi_389_;
+        let _e193 = phi_421_;
         if (_e185 == 0u) {
-            phi_395_ = _e190;
+            phi_427_ = _e190;
         } else {
-            phi_395_ = (_e185 - 1u);
+            phi_427_ = (_e185 - 1u);
         }
-        let _e197 = phi_395_;
+        let _e197 = phi_427_;
         if (_e185 > _e161) {
-            phi_400_ = _e193;
+            phi_432_ = _e193;
         } else {
-            phi_400_ = _e185;
+            phi_432_ = _e185;
         }
-        let _e200 = phi_400_;
-        phi_402_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
+        let _e200 = phi_432_;
+        phi_434_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
     }
-    let _e203 = phi_402_;
-    let _e205 = (*param_3).flags;
+    let _e203 = phi_434_;
+    let _e205 = (*param_7).flags;
     let _e208 = ((_e205 >> bitcast<u32>(6u)) & 3u);
     if (_e208 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e221 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e221 > param_5) {
-                phi_430_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e221 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e221 > param_9) {
+                phi_462_ = 1f;
             } else {
-                phi_430_ = 0f;
+                phi_462_ = 0f;
             }
-            let _e224 = phi_430_;
-            if (param_5 < 8388608f) {
-                phi_435_ = (_e221 - _e224);
-                phi_436_ = false;
+            let _e224 = phi_462_;
+            if (param_9 < 8388608f) {
+                phi_467_ = (_e221 - _e224);
+                phi_468_ = false;
             } else {
-                phi_435_ = f32();
-                phi_436_ = true;
+                phi_467_ = f32();
+                phi_468_ = true;
             }
-            let _e227 = phi_435_;
-            let _e229 = phi_436_;
-            phi_437_ = _e227;
-            phi_438_ = _e229;
+            let _e227 = phi_467_;
+            let _e229 = phi_468_;
+            phi_469_ = _e227;
+            phi_470_ = _e229;
         } else {
-            phi_437_ = f32();
-            phi_438_ = true;
+            phi_469_ = f32();
+            phi_470_ = true;
         }
-        let _e231 = phi_437_;
-        let _e233 = phi_438_;
+        let _e231 = phi_469_;
+        let _e233 = phi_470_;
         if _e233 {
-            phi_442_ = param_5;
+            phi_474_ = param_9;
         } else {
-            phi_442_ = _e231;
+            phi_474_ = _e231;
         }
-        let _e235 = phi_442_;
-        phi_490_ = (param_5 - _e235);
+        let _e235 = phi_474_;
+        phi_522_ = (param_9 - _e235);
     } else {
         if (_e208 == 1u) {
-            let _e238 = (param_5 * 0.5f);
+            let _e238 = (param_9 * 0.5f);
             if (_e238 > -8388608f) {
                 let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
                 if (_e250 > _e238) {
-                    phi_468_ = 1f;
+                    phi_500_ = 1f;
                 } else {
-                    phi_468_ = 0f;
+                    phi_500_ = 0f;
                 }
-                let _e253 = phi_468_;
+                let _e253 = phi_500_;
                 if (_e238 < 8388608f) {
-                    phi_473_ = (_e250 - _e253);
-                    phi_474_ = false;
+                    phi_505_ = (_e250 - _e253);
+                    phi_506_ = false;
                 } else {
-                    phi_473_ = f32();
-                    phi_474_ = true;
+                    phi_505_ = f32();
+                    phi_506_ = true;
                 }
-                let _e256 = phi_473_;
-                let _e258 = phi_474_;
-                phi_475_ = _e256;
-                phi_476_ = _e258;
+                let _e256 = phi_505_;
+                let _e258 = phi_506_;
+                phi_507_ = _e256;
+                phi_508_ = _e258;
             } else {
-                phi_475_ = f32();
-                phi_476_ = true;
+                phi_507_ = f32();
+                phi_508_ = true;
             }
-            let _e260 = phi_475_;
-            let _e262 = phi_476_;
+            let _e260 = phi_507_;
+            let _e262 = phi_508_;
             if _e262 {
-                phi_480_ = _e238;
+                phi_512_ = _e238;
             } else {
-                phi_480_ = _e260;
+                phi_512_ = _e260;
             }
-            let _e264 = phi_480_;
-            let _e266 = (param_5 - (2f * _e264));
+            let _e264 = phi_512_;
+            let _e266 = (param_9 - (2f * _e264));
             if (_e266 > 1f) {
-                phi_488_ = (2f - _e266);
+                phi_520_ = (2f - _e266);
             } else {
-                phi_488_ = _e266;
+                phi_520_ = _e266;
             }
-            let _e270 = phi_488_;
-            phi_489_ = _e270;
+            let _e270 = phi_520_;
+            phi_521_ = _e270;
         } else {
-            phi_489_ = param_5;
+            phi_521_ = param_9;
         }
-        let _e272 = phi_489_;
-        phi_490_ = _e272;
+        let _e272 = phi_521_;
+        phi_522_ = _e272;
     }
-    let _e274 = phi_490_;
+    let _e274 = phi_522_;
     if (_e274 > 0f) {
         if (_e274 < 1f) {
-            phi_499_ = _e274;
+            phi_531_ = _e274;
         } else {
-            phi_499_ = 1f;
+            phi_531_ = 1f;
         }
-        let _e278 = phi_499_;
-        phi_500_ = _e278;
+        let _e278 = phi_531_;
+        phi_532_ = _e278;
     } else {
-        phi_500_ = 0f;
+        phi_532_ = 0f;
     }
-    let _e280 = phi_500_;
+    let _e280 = phi_532_;
     let _e281 = (_e79 - 1u);
     let _e283 = (_e280 * f32(_e79));
     if _e83 {
         let _e290 = select(select(u32(_e283), 0u, (_e283 < bitcast<f32>(0u))), 4294967295u, (_e283 > bitcast<f32>(1333788671u)));
         if (_e281 < _e290) {
-            phi_518_ = _e281;
+            phi_550_ = _e281;
         } else {
-            phi_518_ = _e290;
+            phi_550_ = _e290;
         }
-        let _e293 = phi_518_;
-        phi_557_ = texture_Axis(_e293, _e293, 0f);
+        let _e293 = phi_550_;
+        phi_589_ = texture_Axis(_e293, _e293, 0f);
     } else {
         let _e295 = (_e283 + 0.5f);
         let _e302 = select(select(u32(_e295), 0u, (_e295 < bitcast<f32>(0u))), 4294967295u, (_e295 > bitcast<f32>(1333788671u)));
         if (_e79 < _e302) {
-            phi_532_ = _e79;
+            phi_564_ = _e79;
         } else {
-            phi_532_ = _e302;
+            phi_564_ = _e302;
         }
-        let _e305 = phi_532_;
+        let _e305 = phi_564_;
         if (_e208 == 0u) {
-            phi_539_ = _e281;
+            phi_571_ = _e281;
         } else {
-            phi_539_ = 0u;
+            phi_571_ = 0u;
         }
-        let _e310 = phi_539_;
+        let _e310 = phi_571_;
         if (_e208 == 0u) {
-            phi_544_ = 0u;
+            phi_576_ = 0u;
         } else {
-            phi_544_ = _e281;
+            phi_576_ = _e281;
         }
-        let _e313 = phi_544_;
+        let _e313 = phi_576_;
         if (_e305 == 0u) {
-            phi_550_ = _e310;
+            phi_582_ = _e310;
         } else {
-            phi_550_ = (_e305 - 1u);
+            phi_582_ = (_e305 - 1u);
         }
-        let _e317 = phi_550_;
+        let _e317 = phi_582_;
         if (_e305 > _e281) {
-            phi_555_ = _e313;
+            phi_587_ = _e313;
         } else {
-            phi_555_ = _e305;
+            phi_587_ = _e305;
         }
-        let _e320 = phi_555_;
-        phi_557_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
+        let _e320 = phi_587_;
+        phi_589_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
     }
-    let _e323 = phi_557_;
-    let _e327 = (*param_3).offset;
-    let _e334 = (*param_3).offset;
-    let _e341 = (*param_3).offset;
-    let _e348 = (*param_3).offset;
+    let _e323 = phi_589_;
+    let _e327 = (*param_7).offset;
+    let _e334 = (*param_7).offset;
+    let _e341 = (*param_7).offset;
+    let _e348 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e327 + (_e323.low * _e75)) + _e203.low), ((_e334 + (_e323.low * _e75)) + _e203.high), ((_e341 + (_e323.high * _e75)) + _e203.low), ((_e348 + (_e323.high * _e75)) + _e203.high)), vec4<f32>(((1f - _e203.fraction) * (1f - _e323.fraction)), (_e203.fraction * (1f - _e323.fraction)), ((1f - _e203.fraction) * _e323.fraction), (_e203.fraction * _e323.fraction)));
 }
 
-fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_620_: bool;
-    var phi_624_: f32;
-
-    if (param_8 != param_8) {
-        phi_620_ = true;
-    } else {
-        let _e73 = (param_9 >= param_8);
-        if _e73 {
-        }
-        phi_620_ = _e73;
-    }
-    let _e75 = phi_620_;
-    if _e75 {
-        phi_624_ = param_9;
-    } else {
-        phi_624_ = param_8;
-    }
-    let _e77 = phi_624_;
-    return _e77;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_636_: bool;
-    var phi_640_: f32;
-
-    if (param_10 != param_10) {
-        phi_636_ = true;
-    } else {
-        let _e73 = (param_11 <= param_10);
-        if _e73 {
-        }
-        phi_636_ = _e73;
-    }
-    let _e75 = phi_636_;
-    if _e75 {
-        phi_640_ = param_11;
-    } else {
-        phi_640_ = param_10;
-    }
-    let _e77 = phi_640_;
-    return _e77;
+fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_10, 0f, param_11, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {

@@ -43,6 +43,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -52,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_32 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -64,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_36 {
+struct type_43 {
     member: array<abi_Vertex>,
 }
 
@@ -76,11 +96,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_40 {
+struct type_47 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -105,32 +138,12 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_51 {
+struct type_61 {
     member: array<lt_bvh_Instance>,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_57 {
+struct type_65 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_62 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -148,33 +161,21 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_36;
+var<storage> vertices: type_43;
 @group(0) @binding(4) 
-var<storage> materials: type_40;
+var<storage> materials: type_47;
 @group(0) @binding(0) 
-var<uniform> p: type_57;
+var<uniform> p: type_65;
 @group(0) @binding(1) 
-var<storage> nodes: type_62;
+var<storage> nodes: type_35;
 @group(0) @binding(2) 
-var<storage> triangles: type_32;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_51;
+var<storage> instances: type_61;
 @group(0) @binding(7) 
 var<storage> alpha_texels: type_13;
 @group(0) @binding(8) 
@@ -218,401 +219,401 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e96.root, _e96.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_281_: f32;
-    var phi_286_: f32;
-    var phi_287_: bool;
-    var phi_288_: f32;
-    var phi_289_: bool;
-    var phi_293_: f32;
-    var phi_319_: f32;
-    var phi_324_: f32;
-    var phi_325_: bool;
-    var phi_326_: f32;
-    var phi_327_: bool;
-    var phi_331_: f32;
-    var phi_339_: f32;
-    var phi_340_: f32;
-    var phi_341_: f32;
-    var phi_350_: f32;
-    var phi_351_: f32;
-    var phi_369_: u32;
-    var phi_383_: u32;
-    var phi_390_: u32;
-    var phi_395_: u32;
-    var phi_401_: u32;
-    var phi_406_: u32;
-    var phi_408_: texture_Axis;
-    var phi_436_: f32;
-    var phi_441_: f32;
-    var phi_442_: bool;
-    var phi_443_: f32;
-    var phi_444_: bool;
-    var phi_448_: f32;
-    var phi_474_: f32;
-    var phi_479_: f32;
-    var phi_480_: bool;
-    var phi_481_: f32;
-    var phi_482_: bool;
-    var phi_486_: f32;
-    var phi_494_: f32;
-    var phi_495_: f32;
-    var phi_496_: f32;
-    var phi_505_: f32;
-    var phi_506_: f32;
-    var phi_524_: u32;
-    var phi_538_: u32;
-    var phi_545_: u32;
-    var phi_550_: u32;
-    var phi_556_: u32;
-    var phi_561_: u32;
-    var phi_563_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_251_: bool;
+    var phi_255_: f32;
 
-    let _e76 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_251_ = true;
+    } else {
+        let _e75 = (param_4 >= param_3);
+        if _e75 {
+        }
+        phi_251_ = _e75;
+    }
+    let _e77 = phi_251_;
+    if _e77 {
+        phi_255_ = param_4;
+    } else {
+        phi_255_ = param_3;
+    }
+    let _e79 = phi_255_;
+    return _e79;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_267_: bool;
+    var phi_271_: f32;
+
+    if (param_5 != param_5) {
+        phi_267_ = true;
+    } else {
+        let _e75 = (param_6 <= param_5);
+        if _e75 {
+        }
+        phi_267_ = _e75;
+    }
+    let _e77 = phi_267_;
+    if _e77 {
+        phi_271_ = param_6;
+    } else {
+        phi_271_ = param_5;
+    }
+    let _e79 = phi_271_;
+    return _e79;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_313_: f32;
+    var phi_318_: f32;
+    var phi_319_: bool;
+    var phi_320_: f32;
+    var phi_321_: bool;
+    var phi_325_: f32;
+    var phi_351_: f32;
+    var phi_356_: f32;
+    var phi_357_: bool;
+    var phi_358_: f32;
+    var phi_359_: bool;
+    var phi_363_: f32;
+    var phi_371_: f32;
+    var phi_372_: f32;
+    var phi_373_: f32;
+    var phi_382_: f32;
+    var phi_383_: f32;
+    var phi_401_: u32;
+    var phi_415_: u32;
+    var phi_422_: u32;
+    var phi_427_: u32;
+    var phi_433_: u32;
+    var phi_438_: u32;
+    var phi_440_: texture_Axis;
+    var phi_468_: f32;
+    var phi_473_: f32;
+    var phi_474_: bool;
+    var phi_475_: f32;
+    var phi_476_: bool;
+    var phi_480_: f32;
+    var phi_506_: f32;
+    var phi_511_: f32;
+    var phi_512_: bool;
+    var phi_513_: f32;
+    var phi_514_: bool;
+    var phi_518_: f32;
+    var phi_526_: f32;
+    var phi_527_: f32;
+    var phi_528_: f32;
+    var phi_537_: f32;
+    var phi_538_: f32;
+    var phi_556_: u32;
+    var phi_570_: u32;
+    var phi_577_: u32;
+    var phi_582_: u32;
+    var phi_588_: u32;
+    var phi_593_: u32;
+    var phi_595_: texture_Axis;
+
+    let _e76 = (*param_7).size;
     let _e77 = (_e76 & 65535u);
-    let _e79 = (*param_3).size;
+    let _e79 = (*param_7).size;
     let _e81 = (_e79 >> bitcast<u32>(16i));
-    let _e83 = (*param_3).flags;
+    let _e83 = (*param_7).flags;
     let _e85 = ((_e83 & 4u) != 0u);
-    let _e87 = (*param_3).flags;
+    let _e87 = (*param_7).flags;
     let _e90 = ((_e87 >> bitcast<u32>(4u)) & 3u);
     if (_e90 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e103 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e103 > param_4) {
-                phi_281_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e103 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e103 > param_8) {
+                phi_313_ = 1f;
             } else {
-                phi_281_ = 0f;
+                phi_313_ = 0f;
             }
-            let _e106 = phi_281_;
-            if (param_4 < 8388608f) {
-                phi_286_ = (_e103 - _e106);
-                phi_287_ = false;
+            let _e106 = phi_313_;
+            if (param_8 < 8388608f) {
+                phi_318_ = (_e103 - _e106);
+                phi_319_ = false;
             } else {
-                phi_286_ = f32();
-                phi_287_ = true;
+                phi_318_ = f32();
+                phi_319_ = true;
             }
-            let _e109 = phi_286_;
-            let _e111 = phi_287_;
-            phi_288_ = _e109;
-            phi_289_ = _e111;
+            let _e109 = phi_318_;
+            let _e111 = phi_319_;
+            phi_320_ = _e109;
+            phi_321_ = _e111;
         } else {
-            phi_288_ = f32();
-            phi_289_ = true;
+            phi_320_ = f32();
+            phi_321_ = true;
         }
-        let _e113 = phi_288_;
-        let _e115 = phi_289_;
+        let _e113 = phi_320_;
+        let _e115 = phi_321_;
         if _e115 {
-            phi_293_ = param_4;
+            phi_325_ = param_8;
         } else {
-            phi_293_ = _e113;
+            phi_325_ = _e113;
         }
-        let _e117 = phi_293_;
-        phi_341_ = (param_4 - _e117);
+        let _e117 = phi_325_;
+        phi_373_ = (param_8 - _e117);
     } else {
         if (_e90 == 1u) {
-            let _e120 = (param_4 * 0.5f);
+            let _e120 = (param_8 * 0.5f);
             if (_e120 > -8388608f) {
                 let _e132 = f32(select(0i, select(select(i32(_e120), i32(-2147483648), (_e120 < bitcast<f32>(3472883712u))), 2147483647i, (_e120 > bitcast<f32>(1325400063u))), (_e120 == _e120)));
                 if (_e132 > _e120) {
-                    phi_319_ = 1f;
+                    phi_351_ = 1f;
                 } else {
-                    phi_319_ = 0f;
+                    phi_351_ = 0f;
                 }
-                let _e135 = phi_319_;
+                let _e135 = phi_351_;
                 if (_e120 < 8388608f) {
-                    phi_324_ = (_e132 - _e135);
-                    phi_325_ = false;
+                    phi_356_ = (_e132 - _e135);
+                    phi_357_ = false;
                 } else {
-                    phi_324_ = f32();
-                    phi_325_ = true;
+                    phi_356_ = f32();
+                    phi_357_ = true;
                 }
-                let _e138 = phi_324_;
-                let _e140 = phi_325_;
-                phi_326_ = _e138;
-                phi_327_ = _e140;
+                let _e138 = phi_356_;
+                let _e140 = phi_357_;
+                phi_358_ = _e138;
+                phi_359_ = _e140;
             } else {
-                phi_326_ = f32();
-                phi_327_ = true;
+                phi_358_ = f32();
+                phi_359_ = true;
             }
-            let _e142 = phi_326_;
-            let _e144 = phi_327_;
+            let _e142 = phi_358_;
+            let _e144 = phi_359_;
             if _e144 {
-                phi_331_ = _e120;
+                phi_363_ = _e120;
             } else {
-                phi_331_ = _e142;
+                phi_363_ = _e142;
             }
-            let _e146 = phi_331_;
-            let _e148 = (param_4 - (2f * _e146));
+            let _e146 = phi_363_;
+            let _e148 = (param_8 - (2f * _e146));
             if (_e148 > 1f) {
-                phi_339_ = (2f - _e148);
+                phi_371_ = (2f - _e148);
             } else {
-                phi_339_ = _e148;
+                phi_371_ = _e148;
             }
-            let _e152 = phi_339_;
-            phi_340_ = _e152;
+            let _e152 = phi_371_;
+            phi_372_ = _e152;
         } else {
-            phi_340_ = param_4;
+            phi_372_ = param_8;
         }
-        let _e154 = phi_340_;
-        phi_341_ = _e154;
+        let _e154 = phi_372_;
+        phi_373_ = _e154;
     }
-    let _e156 = phi_341_;
+    let _e156 = phi_373_;
     if (_e156 > 0f) {
         if (_e156 < 1f) {
-            phi_350_ = _e156;
+            phi_382_ = _e156;
         } else {
-            phi_350_ = 1f;
+            phi_382_ = 1f;
         }
-        let _e160 = phi_350_;
-        phi_351_ = _e160;
+        let _e160 = phi_382_;
+        phi_383_ = _e160;
     } else {
-        phi_351_ = 0f;
+        phi_383_ = 0f;
     }
-    let _e162 = phi_351_;
+    let _e162 = phi_383_;
     let _e163 = (_e77 - 1u);
     let _e165 = (_e162 * f32(_e77));
     if _e85 {
         let _e172 = select(select(u32(_e165), 0u, (_e165 < bitcast<f32>(0u))), 4294967295u, (_e165 > bitcast<f32>(1333788671u)));
         if (_e163 < _e172) {
-            phi_369_ = _e163;
+            phi_401_ = _e163;
         } else {
-            phi_369_ = _e172;
+            phi_401_ = _e172;
         }
-        let _e175 = phi_369_;
-        phi_408_ = texture_Axis(_e175, _e175, 0f);
+        let _e175 = phi_401_;
+        phi_440_ = texture_Axis(_e175, _e175, 0f);
     } else {
         let _e177 = (_e165 + 0.5f);
         let _e184 = select(select(u32(_e177), 0u, (_e177 < bitcast<f32>(0u))), 4294967295u, (_e177 > bitcast<f32>(1333788671u)));
         if (_e77 < _e184) {
-            phi_383_ = _e77;
+            phi_415_ = _e77;
         } else {
-            phi_383_ = _e184;
+            phi_415_ = _e184;
         }
-        let _e187 = phi_383_;
+        let _e187 = phi_415_;
         if (_e90 == 0u) {
-            phi_390_ = _e163;
+            phi_422_ = _e163;
         } else {
-            phi_390_ = 0u;
+            phi_422_ = 0u;
         }
-        let _e192 = phi_390_;
+        let _e192 = phi_422_;
         if (_e90 == 0u) {
-            phi_395_ = 0u;
+            phi_427_ = 0u;
         } else {
-            phi_395_ = _e163;
+            phi_427_ = _e163;
         }
-        let _e195 = phi_395_;
+        let _e195 = phi_427_;
         if (_e187 == 0u) {
-            phi_401_ = _e192;
+            phi_433_ = _e192;
         } else {
-            phi_401_ = (_e187 - 1u);
+            phi_433_ = (_e187 - 1u);
         }
-        let _e199 = phi_401_;
+        let _e199 = phi_433_;
         if (_e187 > _e163) {
-            phi_406_ = _e195;
+            phi_438_ = _e195;
         } else {
-            phi_406_ = _e187;
+            phi_438_ = _e187;
         }
-        let _e202 = phi_406_;
-        phi_408_ = texture_Axis(_e199, _e202, (_e177 - f32(_e187)));
+        let _e202 = phi_438_;
+        phi_440_ = texture_Axis(_e199, _e202, (_e177 - f32(_e187)));
     }
-    let _e205 = phi_408_;
-    let _e207 = (*param_3).flags;
+    let _e205 = phi_440_;
+    let _e207 = (*param_7).flags;
     let _e210 = ((_e207 >> bitcast<u32>(6u)) & 3u);
     if (_e210 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e223 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e223 > param_5) {
-                phi_436_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e223 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e223 > param_9) {
+                phi_468_ = 1f;
             } else {
-                phi_436_ = 0f;
+                phi_468_ = 0f;
             }
-            let _e226 = phi_436_;
-            if (param_5 < 8388608f) {
-                phi_441_ = (_e223 - _e226);
-                phi_442_ = false;
+            let _e226 = phi_468_;
+            if (param_9 < 8388608f) {
+                phi_473_ = (_e223 - _e226);
+                phi_474_ = false;
             } else {
-                phi_441_ = f32();
-                phi_442_ = true;
+                phi_473_ = f32();
+                phi_474_ = true;
             }
-            let _e229 = phi_441_;
-            let _e231 = phi_442_;
-            phi_443_ = _e229;
-            phi_444_ = _e231;
+            let _e229 = phi_473_;
+            let _e231 = phi_474_;
+            phi_475_ = _e229;
+            phi_476_ = _e231;
         } else {
-            phi_443_ = f32();
-            phi_444_ = true;
+            phi_475_ = f32();
+            phi_476_ = true;
         }
-        let _e233 = phi_443_;
-        let _e235 = phi_444_;
+        let _e233 = phi_475_;
+        let _e235 = phi_476_;
         if _e235 {
-            phi_448_ = param_5;
+            phi_480_ = param_9;
         } else {
-            phi_448_ = _e233;
+            phi_480_ = _e233;
         }
-        let _e237 = phi_448_;
-        phi_496_ = (param_5 - _e237);
+        let _e237 = phi_480_;
+        phi_528_ = (param_9 - _e237);
     } else {
         if (_e210 == 1u) {
-            let _e240 = (param_5 * 0.5f);
+            let _e240 = (param_9 * 0.5f);
             if (_e240 > -8388608f) {
                 let _e252 = f32(select(0i, select(select(i32(_e240), i32(-2147483648), (_e240 < bitcast<f32>(3472883712u))), 2147483647i, (_e240 > bitcast<f32>(1325400063u))), (_e240 == _e240)));
                 if (_e252 > _e240) {
-                    phi_474_ = 1f;
+                    phi_506_ = 1f;
                 } else {
-                    phi_474_ = 0f;
+                    phi_506_ = 0f;
                 }
-                let _e255 = phi_474_;
+                let _e255 = phi_506_;
                 if (_e240 < 8388608f) {
-                    phi_479_ = (_e252 - _e255);
-                    phi_480_ = false;
+                    phi_511_ = (_e252 - _e255);
+                    phi_512_ = false;
                 } else {
-                    phi_479_ = f32();
-                    phi_480_ = true;
+                    phi_511_ = f32();
+                    phi_512_ = true;
                 }
-                let _e258 = phi_479_;
-                let _e260 = phi_480_;
-                phi_481_ = _e258;
-                phi_482_ = _e260;
+                let _e258 = phi_511_;
+                let _e260 = phi_512_;
+                phi_513_ = _e258;
+                phi_514_ = _e260;
             } else {
-                phi_481_ = f32();
-                phi_482_ = true;
+                phi_513_ = f32();
+                phi_514_ = true;
             }
-            let _e262 = phi_481_;
-            let _e264 = phi_482_;
+            let _e262 = phi_513_;
+            let _e264 = phi_514_;
             if _e264 {
-                phi_486_ = _e240;
+                phi_518_ = _e240;
             } else {
-                phi_486_ = _e262;
+                phi_518_ = _e262;
             }
-            let _e266 = phi_486_;
-            let _e268 = (param_5 - (2f * _e266));
+            let _e266 = phi_518_;
+            let _e268 = (param_9 - (2f * _e266));
             if (_e268 > 1f) {
-                phi_494_ = (2f - _e268);
+                phi_526_ = (2f - _e268);
             } else {
-                phi_494_ = _e268;
+                phi_526_ = _e268;
             }
-            let _e272 = phi_494_;
-            phi_495_ = _e272;
+            let _e272 = phi_526_;
+            phi_527_ = _e272;
         } else {
-            phi_495_ = param_5;
+            phi_527_ = param_9;
         }
-        let _e274 = phi_495_;
-        phi_496_ = _e274;
+        let _e274 = phi_527_;
+        phi_528_ = _e274;
     }
-    let _e276 = phi_496_;
+    let _e276 = phi_528_;
     if (_e276 > 0f) {
         if (_e276 < 1f) {
-            phi_505_ = _e276;
+            phi_537_ = _e276;
         } else {
-            phi_505_ = 1f;
+            phi_537_ = 1f;
         }
-        let _e280 = phi_505_;
-        phi_506_ = _e280;
+        let _e280 = phi_537_;
+        phi_538_ = _e280;
     } else {
-        phi_506_ = 0f;
+        phi_538_ = 0f;
     }
-    let _e282 = phi_506_;
+    let _e282 = phi_538_;
     let _e283 = (_e81 - 1u);
     let _e285 = (_e282 * f32(_e81));
     if _e85 {
         let _e292 = select(select(u32(_e285), 0u, (_e285 < bitcast<f32>(0u))), 4294967295u, (_e285 > bitcast<f32>(1333788671u)));
         if (_e283 < _e292) {
-            phi_524_ = _e283;
+            phi_556_ = _e283;
         } else {
-            phi_524_ = _e292;
+            phi_556_ = _e292;
         }
-        let _e295 = phi_524_;
-        phi_563_ = texture_Axis(_e295, _e295, 0f);
+        let _e295 = phi_556_;
+        phi_595_ = texture_Axis(_e295, _e295, 0f);
     } else {
         let _e297 = (_e285 + 0.5f);
         let _e304 = select(select(u32(_e297), 0u, (_e297 < bitcast<f32>(0u))), 4294967295u, (_e297 > bitcast<f32>(1333788671u)));
         if (_e81 < _e304) {
-            phi_538_ = _e81;
+            phi_570_ = _e81;
         } else {
-            phi_538_ = _e304;
+            phi_570_ = _e304;
         }
-        let _e307 = phi_538_;
+        let _e307 = phi_570_;
         if (_e210 == 0u) {
-            phi_545_ = _e283;
+            phi_577_ = _e283;
         } else {
-            phi_545_ = 0u;
+            phi_577_ = 0u;
         }
-        let _e312 = phi_545_;
+        let _e312 = phi_577_;
         if (_e210 == 0u) {
-            phi_550_ = 0u;
+            phi_582_ = 0u;
         } else {
-            phi_550_ = _e283;
+            phi_582_ = _e283;
         }
-        let _e315 = phi_550_;
+        let _e315 = phi_582_;
         if (_e307 == 0u) {
-            phi_556_ = _e312;
+            phi_588_ = _e312;
         } else {
-            phi_556_ = (_e307 - 1u);
+            phi_588_ = (_e307 - 1u);
         }
-        let _e319 = phi_556_;
+        let _e319 = phi_588_;
         if (_e307 > _e283) {
-            phi_561_ = _e315;
+            phi_593_ = _e315;
         } else {
-            phi_561_ = _e307;
+            phi_593_ = _e307;
         }
-        let _e322 = phi_561_;
-        phi_563_ = texture_Axis(_e319, _e322, (_e297 - f32(_e307)));
+        let _e322 = phi_593_;
+        phi_595_ = texture_Axis(_e319, _e322, (_e297 - f32(_e307)));
     }
-    let _e325 = phi_563_;
-    let _e329 = (*param_3).offset;
-    let _e336 = (*param_3).offset;
-    let _e343 = (*param_3).offset;
-    let _e350 = (*param_3).offset;
+    let _e325 = phi_595_;
+    let _e329 = (*param_7).offset;
+    let _e336 = (*param_7).offset;
+    let _e343 = (*param_7).offset;
+    let _e350 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e329 + (_e325.low * _e77)) + _e205.low), ((_e336 + (_e325.low * _e77)) + _e205.high), ((_e343 + (_e325.high * _e77)) + _e205.low), ((_e350 + (_e325.high * _e77)) + _e205.high)), vec4<f32>(((1f - _e205.fraction) * (1f - _e325.fraction)), (_e205.fraction * (1f - _e325.fraction)), ((1f - _e205.fraction) * _e325.fraction), (_e205.fraction * _e325.fraction)));
 }
 
-fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_626_: bool;
-    var phi_630_: f32;
-
-    if (param_8 != param_8) {
-        phi_626_ = true;
-    } else {
-        let _e75 = (param_9 >= param_8);
-        if _e75 {
-        }
-        phi_626_ = _e75;
-    }
-    let _e77 = phi_626_;
-    if _e77 {
-        phi_630_ = param_9;
-    } else {
-        phi_630_ = param_8;
-    }
-    let _e79 = phi_630_;
-    return _e79;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_642_: bool;
-    var phi_646_: f32;
-
-    if (param_10 != param_10) {
-        phi_642_ = true;
-    } else {
-        let _e75 = (param_11 <= param_10);
-        if _e75 {
-        }
-        phi_642_ = _e75;
-    }
-    let _e77 = phi_642_;
-    if _e77 {
-        phi_646_ = param_11;
-    } else {
-        phi_646_ = param_10;
-    }
-    let _e79 = phi_646_;
-    return _e79;
+fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_10, 0f, param_11, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {

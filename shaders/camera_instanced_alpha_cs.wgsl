@@ -39,6 +39,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_31 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -48,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_28 {
+struct type_35 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -60,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_32 {
+struct type_39 {
     member: array<abi_Vertex>,
 }
 
@@ -72,11 +92,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_36 {
+struct type_43 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -101,32 +134,12 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_47 {
+struct type_57 {
     member: array<lt_bvh_Instance>,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_53 {
+struct type_61 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_58 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -144,33 +157,21 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_32;
+var<storage> vertices: type_39;
 @group(0) @binding(4) 
-var<storage> materials: type_36;
+var<storage> materials: type_43;
 @group(0) @binding(0) 
-var<uniform> p: type_53;
+var<uniform> p: type_61;
 @group(0) @binding(1) 
-var<storage> nodes: type_58;
+var<storage> nodes: type_31;
 @group(0) @binding(2) 
-var<storage> triangles: type_28;
+var<storage> triangles: type_35;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_47;
+var<storage> instances: type_57;
 @group(0) @binding(7) 
 var<storage> alpha_texels: type_13;
 
@@ -208,401 +209,401 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_276_: f32;
-    var phi_281_: f32;
-    var phi_282_: bool;
-    var phi_283_: f32;
-    var phi_284_: bool;
-    var phi_288_: f32;
-    var phi_314_: f32;
-    var phi_319_: f32;
-    var phi_320_: bool;
-    var phi_321_: f32;
-    var phi_322_: bool;
-    var phi_326_: f32;
-    var phi_334_: f32;
-    var phi_335_: f32;
-    var phi_336_: f32;
-    var phi_345_: f32;
-    var phi_346_: f32;
-    var phi_364_: u32;
-    var phi_378_: u32;
-    var phi_385_: u32;
-    var phi_390_: u32;
-    var phi_396_: u32;
-    var phi_401_: u32;
-    var phi_403_: texture_Axis;
-    var phi_431_: f32;
-    var phi_436_: f32;
-    var phi_437_: bool;
-    var phi_438_: f32;
-    var phi_439_: bool;
-    var phi_443_: f32;
-    var phi_469_: f32;
-    var phi_474_: f32;
-    var phi_475_: bool;
-    var phi_476_: f32;
-    var phi_477_: bool;
-    var phi_481_: f32;
-    var phi_489_: f32;
-    var phi_490_: f32;
-    var phi_491_: f32;
-    var phi_500_: f32;
-    var phi_501_: f32;
-    var phi_519_: u32;
-    var phi_533_: u32;
-    var phi_540_: u32;
-    var phi_545_: u32;
-    var phi_551_: u32;
-    var phi_556_: u32;
-    var phi_558_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_246_: bool;
+    var phi_250_: f32;
 
-    let _e73 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_246_ = true;
+    } else {
+        let _e72 = (param_4 >= param_3);
+        if _e72 {
+        }
+        phi_246_ = _e72;
+    }
+    let _e74 = phi_246_;
+    if _e74 {
+        phi_250_ = param_4;
+    } else {
+        phi_250_ = param_3;
+    }
+    let _e76 = phi_250_;
+    return _e76;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_262_: bool;
+    var phi_266_: f32;
+
+    if (param_5 != param_5) {
+        phi_262_ = true;
+    } else {
+        let _e72 = (param_6 <= param_5);
+        if _e72 {
+        }
+        phi_262_ = _e72;
+    }
+    let _e74 = phi_262_;
+    if _e74 {
+        phi_266_ = param_6;
+    } else {
+        phi_266_ = param_5;
+    }
+    let _e76 = phi_266_;
+    return _e76;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_308_: f32;
+    var phi_313_: f32;
+    var phi_314_: bool;
+    var phi_315_: f32;
+    var phi_316_: bool;
+    var phi_320_: f32;
+    var phi_346_: f32;
+    var phi_351_: f32;
+    var phi_352_: bool;
+    var phi_353_: f32;
+    var phi_354_: bool;
+    var phi_358_: f32;
+    var phi_366_: f32;
+    var phi_367_: f32;
+    var phi_368_: f32;
+    var phi_377_: f32;
+    var phi_378_: f32;
+    var phi_396_: u32;
+    var phi_410_: u32;
+    var phi_417_: u32;
+    var phi_422_: u32;
+    var phi_428_: u32;
+    var phi_433_: u32;
+    var phi_435_: texture_Axis;
+    var phi_463_: f32;
+    var phi_468_: f32;
+    var phi_469_: bool;
+    var phi_470_: f32;
+    var phi_471_: bool;
+    var phi_475_: f32;
+    var phi_501_: f32;
+    var phi_506_: f32;
+    var phi_507_: bool;
+    var phi_508_: f32;
+    var phi_509_: bool;
+    var phi_513_: f32;
+    var phi_521_: f32;
+    var phi_522_: f32;
+    var phi_523_: f32;
+    var phi_532_: f32;
+    var phi_533_: f32;
+    var phi_551_: u32;
+    var phi_565_: u32;
+    var phi_572_: u32;
+    var phi_577_: u32;
+    var phi_583_: u32;
+    var phi_588_: u32;
+    var phi_590_: texture_Axis;
+
+    let _e73 = (*param_7).size;
     let _e74 = (_e73 & 65535u);
-    let _e76 = (*param_3).size;
+    let _e76 = (*param_7).size;
     let _e78 = (_e76 >> bitcast<u32>(16i));
-    let _e80 = (*param_3).flags;
+    let _e80 = (*param_7).flags;
     let _e82 = ((_e80 & 4u) != 0u);
-    let _e84 = (*param_3).flags;
+    let _e84 = (*param_7).flags;
     let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
     if (_e87 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e100 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e100 > param_4) {
-                phi_276_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e100 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e100 > param_8) {
+                phi_308_ = 1f;
             } else {
-                phi_276_ = 0f;
+                phi_308_ = 0f;
             }
-            let _e103 = phi_276_;
-            if (param_4 < 8388608f) {
-                phi_281_ = (_e100 - _e103);
-                phi_282_ = false;
+            let _e103 = phi_308_;
+            if (param_8 < 8388608f) {
+                phi_313_ = (_e100 - _e103);
+                phi_314_ = false;
             } else {
-                phi_281_ = f32();
-                phi_282_ = true;
+                phi_313_ = f32();
+                phi_314_ = true;
             }
-            let _e106 = phi_281_;
-            let _e108 = phi_282_;
-            phi_283_ = _e106;
-            phi_284_ = _e108;
+            let _e106 = phi_313_;
+            let _e108 = phi_314_;
+            phi_315_ = _e106;
+            phi_316_ = _e108;
         } else {
-            phi_283_ = f32();
-            phi_284_ = true;
+            phi_315_ = f32();
+            phi_316_ = true;
         }
-        let _e110 = phi_283_;
-        let _e112 = phi_284_;
+        let _e110 = phi_315_;
+        let _e112 = phi_316_;
         if _e112 {
-            phi_288_ = param_4;
+            phi_320_ = param_8;
         } else {
-            phi_288_ = _e110;
+            phi_320_ = _e110;
         }
-        let _e114 = phi_288_;
-        phi_336_ = (param_4 - _e114);
+        let _e114 = phi_320_;
+        phi_368_ = (param_8 - _e114);
     } else {
         if (_e87 == 1u) {
-            let _e117 = (param_4 * 0.5f);
+            let _e117 = (param_8 * 0.5f);
             if (_e117 > -8388608f) {
                 let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
                 if (_e129 > _e117) {
-                    phi_314_ = 1f;
+                    phi_346_ = 1f;
                 } else {
-                    phi_314_ = 0f;
+                    phi_346_ = 0f;
                 }
-                let _e132 = phi_314_;
+                let _e132 = phi_346_;
                 if (_e117 < 8388608f) {
-                    phi_319_ = (_e129 - _e132);
-                    phi_320_ = false;
+                    phi_351_ = (_e129 - _e132);
+                    phi_352_ = false;
                 } else {
-                    phi_319_ = f32();
-                    phi_320_ = true;
+                    phi_351_ = f32();
+                    phi_352_ = true;
                 }
-                let _e135 = phi_319_;
-                let _e137 = phi_320_;
-                phi_321_ = _e135;
-                phi_322_ = _e137;
+                let _e135 = phi_351_;
+                let _e137 = phi_352_;
+                phi_353_ = _e135;
+                phi_354_ = _e137;
             } else {
-                phi_321_ = f32();
-                phi_322_ = true;
+                phi_353_ = f32();
+                phi_354_ = true;
             }
-            let _e139 = phi_321_;
-            let _e141 = phi_322_;
+            let _e139 = phi_353_;
+            let _e141 = phi_354_;
             if _e141 {
-                phi_326_ = _e117;
+                phi_358_ = _e117;
             } else {
-                phi_326_ = _e139;
+                phi_358_ = _e139;
             }
-            let _e143 = phi_326_;
-            let _e145 = (param_4 - (2f * _e143));
+            let _e143 = phi_358_;
+            let _e145 = (param_8 - (2f * _e143));
             if (_e145 > 1f) {
-                phi_334_ = (2f - _e145);
+                phi_366_ = (2f - _e145);
             } else {
-                phi_334_ = _e145;
+                phi_366_ = _e145;
             }
-            let _e149 = phi_334_;
-            phi_335_ = _e149;
+            let _e149 = phi_366_;
+            phi_367_ = _e149;
         } else {
-            phi_335_ = param_4;
+            phi_367_ = param_8;
         }
-        let _e151 = phi_335_;
-        phi_336_ = _e151;
+        let _e151 = phi_367_;
+        phi_368_ = _e151;
     }
-    let _e153 = phi_336_;
+    let _e153 = phi_368_;
     if (_e153 > 0f) {
         if (_e153 < 1f) {
-            phi_345_ = _e153;
+            phi_377_ = _e153;
         } else {
-            phi_345_ = 1f;
+            phi_377_ = 1f;
         }
-        let _e157 = phi_345_;
-        phi_346_ = _e157;
+        let _e157 = phi_377_;
+        phi_378_ = _e157;
     } else {
-        phi_346_ = 0f;
+        phi_378_ = 0f;
     }
-    let _e159 = phi_346_;
+    let _e159 = phi_378_;
     let _e160 = (_e74 - 1u);
     let _e162 = (_e159 * f32(_e74));
     if _e82 {
         let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
         if (_e160 < _e169) {
-            phi_364_ = _e160;
+            phi_396_ = _e160;
         } else {
-            phi_364_ = _e169;
+            phi_396_ = _e169;
         }
-        let _e172 = phi_364_;
-        phi_403_ = texture_Axis(_e172, _e172, 0f);
+        let _e172 = phi_396_;
+        phi_435_ = texture_Axis(_e172, _e172, 0f);
     } else {
         let _e174 = (_e162 + 0.5f);
         let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
         if (_e74 < _e181) {
-            phi_378_ = _e74;
+            phi_410_ = _e74;
         } else {
-            phi_378_ = _e181;
+            phi_410_ = _e181;
         }
-        let _e184 = phi_378_;
+        let _e184 = phi_410_;
         if (_e87 == 0u) {
-            phi_385_ = _e160;
+            phi_417_ = _e160;
         } else {
-            phi_385_ = 0u;
+            phi_417_ = 0u;
         }
-        let _e189 = phi_385_;
+        let _e189 = phi_417_;
         if (_e87 == 0u) {
-            phi_390_ = 0u;
+            phi_422_ = 0u;
         } else {
-            phi_390_ = _e160;
+            phi_422_ = _e160;
         }
-        let _e192 = phi_390_;
+        let _e192 = phi_422_;
         if (_e184 == 0u) {
-            phi_396_ = _e189;
+            phi_428_ = _e189;
         } else {
-            phi_396_ = (_e184 - 1u);
+            phi_428_ = (_e184 - 1u);
         }
-        let _e196 = phi_396_;
+        let _e196 = phi_428_;
         if (_e184 > _e160) {
-            phi_401_ = _e192;
+            phi_433_ = _e192;
         } else {
-            phi_401_ = _e184;
+            phi_433_ = _e184;
         }
-        let _e199 = phi_401_;
-        phi_403_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
+        let _e199 = phi_433_;
+        phi_435_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
     }
-    let _e202 = phi_403_;
-    let _e204 = (*param_3).flags;
+    let _e202 = phi_435_;
+    let _e204 = (*param_7).flags;
     let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
     if (_e207 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e220 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e220 > param_5) {
-                phi_431_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e220 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e220 > param_9) {
+                phi_463_ = 1f;
             } else {
-                phi_431_ = 0f;
+                phi_463_ = 0f;
             }
-            let _e223 = phi_431_;
-            if (param_5 < 8388608f) {
-                phi_436_ = (_e220 - _e223);
-                phi_437_ = false;
+            let _e223 = phi_463_;
+            if (param_9 < 8388608f) {
+                phi_468_ = (_e220 - _e223);
+                phi_469_ = false;
             } else {
-                phi_436_ = f32();
-                phi_437_ = true;
+                phi_468_ = f32();
+                phi_469_ = true;
             }
-            let _e226 = phi_436_;
-            let _e228 = phi_437_;
-            phi_438_ = _e226;
-            phi_439_ = _e228;
+            let _e226 = phi_468_;
+            let _e228 = phi_469_;
+            phi_470_ = _e226;
+            phi_471_ = _e228;
         } else {
-            phi_438_ = f32();
-            phi_439_ = true;
+            phi_470_ = f32();
+            phi_471_ = true;
         }
-        let _e230 = phi_438_;
-        let _e232 = phi_439_;
+        let _e230 = phi_470_;
+        let _e232 = phi_471_;
         if _e232 {
-            phi_443_ = param_5;
+            phi_475_ = param_9;
         } else {
-            phi_443_ = _e230;
+            phi_475_ = _e230;
         }
-        let _e234 = phi_443_;
-        phi_491_ = (param_5 - _e234);
+        let _e234 = phi_475_;
+        phi_523_ = (param_9 - _e234);
     } else {
         if (_e207 == 1u) {
-            let _e237 = (param_5 * 0.5f);
+            let _e237 = (param_9 * 0.5f);
             if (_e237 > -8388608f) {
                 let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
                 if (_e249 > _e237) {
-                    phi_469_ = 1f;
+                    phi_501_ = 1f;
                 } else {
-                    phi_469_ = 0f;
+                    phi_501_ = 0f;
                 }
-                let _e252 = phi_469_;
+                let _e252 = phi_501_;
                 if (_e237 < 8388608f) {
-                    phi_474_ = (_e249 - _e252);
-                    phi_475_ = false;
+                    phi_506_ = (_e249 - _e252);
+                    phi_507_ = false;
                 } else {
-                    phi_474_ = f32();
-                    phi_475_ = true;
+                    phi_506_ = f32();
+                    phi_507_ = true;
                 }
-                let _e255 = phi_474_;
-                let _e257 = phi_475_;
-                phi_476_ = _e255;
-                phi_477_ = _e257;
+                let _e255 = phi_506_;
+                let _e257 = phi_507_;
+                phi_508_ = _e255;
+                phi_509_ = _e257;
             } else {
-                phi_476_ = f32();
-                phi_477_ = true;
+                phi_508_ = f32();
+                phi_509_ = true;
             }
-            let _e259 = phi_476_;
-            let _e261 = phi_477_;
+            let _e259 = phi_508_;
+            let _e261 = phi_509_;
             if _e261 {
-                phi_481_ = _e237;
+                phi_513_ = _e237;
             } else {
-                phi_481_ = _e259;
+                phi_513_ = _e259;
             }
-            let _e263 = phi_481_;
-            let _e265 = (param_5 - (2f * _e263));
+            let _e263 = phi_513_;
+            let _e265 = (param_9 - (2f * _e263));
             if (_e265 > 1f) {
-                phi_489_ = (2f - _e265);
+                phi_521_ = (2f - _e265);
             } else {
-                phi_489_ = _e265;
+                phi_521_ = _e265;
             }
-            let _e269 = phi_489_;
-            phi_490_ = _e269;
+            let _e269 = phi_521_;
+            phi_522_ = _e269;
         } else {
-            phi_490_ = param_5;
+            phi_522_ = param_9;
         }
-        let _e271 = phi_490_;
-        phi_491_ = _e271;
+        let _e271 = phi_522_;
+        phi_523_ = _e271;
     }
-    let _e273 = phi_491_;
+    let _e273 = phi_523_;
     if (_e273 > 0f) {
         if (_e273 < 1f) {
-            phi_500_ = _e273;
+            phi_532_ = _e273;
         } else {
-            phi_500_ = 1f;
+            phi_532_ = 1f;
         }
-        let _e277 = phi_500_;
-        phi_501_ = _e277;
+        let _e277 = phi_532_;
+        phi_533_ = _e277;
     } else {
-        phi_501_ = 0f;
+        phi_533_ = 0f;
     }
-    let _e279 = phi_501_;
+    let _e279 = phi_533_;
     let _e280 = (_e78 - 1u);
     let _e282 = (_e279 * f32(_e78));
     if _e82 {
         let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
         if (_e280 < _e289) {
-            phi_519_ = _e280;
+            phi_551_ = _e280;
         } else {
-            phi_519_ = _e289;
+            phi_551_ = _e289;
         }
-        let _e292 = phi_519_;
-        phi_558_ = texture_Axis(_e292, _e292, 0f);
+        let _e292 = phi_551_;
+        phi_590_ = texture_Axis(_e292, _e292, 0f);
     } else {
         let _e294 = (_e282 + 0.5f);
         let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
         if (_e78 < _e301) {
-            phi_533_ = _e78;
+            phi_565_ = _e78;
         } else {
-            phi_533_ = _e301;
+            phi_565_ = _e301;
         }
-        let _e304 = phi_533_;
+        let _e304 = phi_565_;
         if (_e207 == 0u) {
-            phi_540_ = _e280;
+            phi_572_ = _e280;
         } else {
-            phi_540_ = 0u;
+            phi_572_ = 0u;
         }
-        let _e309 = phi_540_;
+        let _e309 = phi_572_;
         if (_e207 == 0u) {
-            phi_545_ = 0u;
+            phi_577_ = 0u;
         } else {
-            phi_545_ = _e280;
+            phi_577_ = _e280;
         }
-        let _e312 = phi_545_;
+        let _e312 = phi_577_;
         if (_e304 == 0u) {
-            phi_551_ = _e309;
+            phi_583_ = _e309;
         } else {
-            phi_551_ = (_e304 - 1u);
+            phi_583_ = (_e304 - 1u);
         }
-        let _e316 = phi_551_;
+        let _e316 = phi_583_;
         if (_e304 > _e280) {
-            phi_556_ = _e312;
+            phi_588_ = _e312;
         } else {
-            phi_556_ = _e304;
+            phi_588_ = _e304;
         }
-        let _e319 = phi_556_;
-        phi_558_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
+        let _e319 = phi_588_;
+        phi_590_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
     }
-    let _e322 = phi_558_;
-    let _e326 = (*param_3).offset;
-    let _e333 = (*param_3).offset;
-    let _e340 = (*param_3).offset;
-    let _e347 = (*param_3).offset;
+    let _e322 = phi_590_;
+    let _e326 = (*param_7).offset;
+    let _e333 = (*param_7).offset;
+    let _e340 = (*param_7).offset;
+    let _e347 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
 }
 
-fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_621_: bool;
-    var phi_625_: f32;
-
-    if (param_8 != param_8) {
-        phi_621_ = true;
-    } else {
-        let _e72 = (param_9 >= param_8);
-        if _e72 {
-        }
-        phi_621_ = _e72;
-    }
-    let _e74 = phi_621_;
-    if _e74 {
-        phi_625_ = param_9;
-    } else {
-        phi_625_ = param_8;
-    }
-    let _e76 = phi_625_;
-    return _e76;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_637_: bool;
-    var phi_641_: f32;
-
-    if (param_10 != param_10) {
-        phi_637_ = true;
-    } else {
-        let _e72 = (param_11 <= param_10);
-        if _e72 {
-        }
-        phi_637_ = _e72;
-    }
-    let _e74 = phi_637_;
-    if _e74 {
-        phi_641_ = param_11;
-    } else {
-        phi_641_ = param_10;
-    }
-    let _e76 = phi_641_;
-    return _e76;
+fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_10, 0f, param_11, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {

@@ -43,6 +43,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -52,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_32 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -64,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_36 {
+struct type_43 {
     member: array<abi_Vertex>,
 }
 
@@ -76,11 +96,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_40 {
+struct type_47 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -105,32 +138,12 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_51 {
+struct type_61 {
     member: array<lt_bvh_Instance>,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_57 {
+struct type_65 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_62 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -148,33 +161,21 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_36;
+var<storage> vertices: type_43;
 @group(0) @binding(4) 
-var<storage> materials: type_40;
+var<storage> materials: type_47;
 @group(0) @binding(0) 
-var<uniform> p: type_57;
+var<uniform> p: type_65;
 @group(0) @binding(1) 
-var<storage> nodes: type_62;
+var<storage> nodes: type_35;
 @group(0) @binding(2) 
-var<storage> triangles: type_32;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_51;
+var<storage> instances: type_61;
 @group(0) @binding(7) 
 var<storage> alpha_texels: type_13;
 @group(0) @binding(8) 
@@ -216,401 +217,401 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_282_: f32;
-    var phi_287_: f32;
-    var phi_288_: bool;
-    var phi_289_: f32;
-    var phi_290_: bool;
-    var phi_294_: f32;
-    var phi_320_: f32;
-    var phi_325_: f32;
-    var phi_326_: bool;
-    var phi_327_: f32;
-    var phi_328_: bool;
-    var phi_332_: f32;
-    var phi_340_: f32;
-    var phi_341_: f32;
-    var phi_342_: f32;
-    var phi_351_: f32;
-    var phi_352_: f32;
-    var phi_370_: u32;
-    var phi_384_: u32;
-    var phi_391_: u32;
-    var phi_396_: u32;
-    var phi_402_: u32;
-    var phi_407_: u32;
-    var phi_409_: texture_Axis;
-    var phi_437_: f32;
-    var phi_442_: f32;
-    var phi_443_: bool;
-    var phi_444_: f32;
-    var phi_445_: bool;
-    var phi_449_: f32;
-    var phi_475_: f32;
-    var phi_480_: f32;
-    var phi_481_: bool;
-    var phi_482_: f32;
-    var phi_483_: bool;
-    var phi_487_: f32;
-    var phi_495_: f32;
-    var phi_496_: f32;
-    var phi_497_: f32;
-    var phi_506_: f32;
-    var phi_507_: f32;
-    var phi_525_: u32;
-    var phi_539_: u32;
-    var phi_546_: u32;
-    var phi_551_: u32;
-    var phi_557_: u32;
-    var phi_562_: u32;
-    var phi_564_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_252_: bool;
+    var phi_256_: f32;
 
-    let _e75 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_252_ = true;
+    } else {
+        let _e74 = (param_4 >= param_3);
+        if _e74 {
+        }
+        phi_252_ = _e74;
+    }
+    let _e76 = phi_252_;
+    if _e76 {
+        phi_256_ = param_4;
+    } else {
+        phi_256_ = param_3;
+    }
+    let _e78 = phi_256_;
+    return _e78;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_268_: bool;
+    var phi_272_: f32;
+
+    if (param_5 != param_5) {
+        phi_268_ = true;
+    } else {
+        let _e74 = (param_6 <= param_5);
+        if _e74 {
+        }
+        phi_268_ = _e74;
+    }
+    let _e76 = phi_268_;
+    if _e76 {
+        phi_272_ = param_6;
+    } else {
+        phi_272_ = param_5;
+    }
+    let _e78 = phi_272_;
+    return _e78;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_314_: f32;
+    var phi_319_: f32;
+    var phi_320_: bool;
+    var phi_321_: f32;
+    var phi_322_: bool;
+    var phi_326_: f32;
+    var phi_352_: f32;
+    var phi_357_: f32;
+    var phi_358_: bool;
+    var phi_359_: f32;
+    var phi_360_: bool;
+    var phi_364_: f32;
+    var phi_372_: f32;
+    var phi_373_: f32;
+    var phi_374_: f32;
+    var phi_383_: f32;
+    var phi_384_: f32;
+    var phi_402_: u32;
+    var phi_416_: u32;
+    var phi_423_: u32;
+    var phi_428_: u32;
+    var phi_434_: u32;
+    var phi_439_: u32;
+    var phi_441_: texture_Axis;
+    var phi_469_: f32;
+    var phi_474_: f32;
+    var phi_475_: bool;
+    var phi_476_: f32;
+    var phi_477_: bool;
+    var phi_481_: f32;
+    var phi_507_: f32;
+    var phi_512_: f32;
+    var phi_513_: bool;
+    var phi_514_: f32;
+    var phi_515_: bool;
+    var phi_519_: f32;
+    var phi_527_: f32;
+    var phi_528_: f32;
+    var phi_529_: f32;
+    var phi_538_: f32;
+    var phi_539_: f32;
+    var phi_557_: u32;
+    var phi_571_: u32;
+    var phi_578_: u32;
+    var phi_583_: u32;
+    var phi_589_: u32;
+    var phi_594_: u32;
+    var phi_596_: texture_Axis;
+
+    let _e75 = (*param_7).size;
     let _e76 = (_e75 & 65535u);
-    let _e78 = (*param_3).size;
+    let _e78 = (*param_7).size;
     let _e80 = (_e78 >> bitcast<u32>(16i));
-    let _e82 = (*param_3).flags;
+    let _e82 = (*param_7).flags;
     let _e84 = ((_e82 & 4u) != 0u);
-    let _e86 = (*param_3).flags;
+    let _e86 = (*param_7).flags;
     let _e89 = ((_e86 >> bitcast<u32>(4u)) & 3u);
     if (_e89 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e102 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e102 > param_4) {
-                phi_282_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e102 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e102 > param_8) {
+                phi_314_ = 1f;
             } else {
-                phi_282_ = 0f;
+                phi_314_ = 0f;
             }
-            let _e105 = phi_282_;
-            if (param_4 < 8388608f) {
-                phi_287_ = (_e102 - _e105);
-                phi_288_ = false;
+            let _e105 = phi_314_;
+            if (param_8 < 8388608f) {
+                phi_319_ = (_e102 - _e105);
+                phi_320_ = false;
             } else {
-                phi_287_ = f32();
-                phi_288_ = true;
+                phi_319_ = f32();
+                phi_320_ = true;
             }
-            let _e108 = phi_287_;
-            let _e110 = phi_288_;
-            phi_289_ = _e108;
-            phi_290_ = _e110;
+            let _e108 = phi_319_;
+            let _e110 = phi_320_;
+            phi_321_ = _e108;
+            phi_322_ = _e110;
         } else {
-            phi_289_ = f32();
-            phi_290_ = true;
+            phi_321_ = f32();
+            phi_322_ = true;
         }
-        let _e112 = phi_289_;
-        let _e114 = phi_290_;
+        let _e112 = phi_321_;
+        let _e114 = phi_322_;
         if _e114 {
-            phi_294_ = param_4;
+            phi_326_ = param_8;
         } else {
-            phi_294_ = _e112;
+            phi_326_ = _e112;
         }
-        let _e116 = phi_294_;
-        phi_342_ = (param_4 - _e116);
+        let _e116 = phi_326_;
+        phi_374_ = (param_8 - _e116);
     } else {
         if (_e89 == 1u) {
-            let _e119 = (param_4 * 0.5f);
+            let _e119 = (param_8 * 0.5f);
             if (_e119 > -8388608f) {
                 let _e131 = f32(select(0i, select(select(i32(_e119), i32(-2147483648), (_e119 < bitcast<f32>(3472883712u))), 2147483647i, (_e119 > bitcast<f32>(1325400063u))), (_e119 == _e119)));
                 if (_e131 > _e119) {
-                    phi_320_ = 1f;
+                    phi_352_ = 1f;
                 } else {
-                    phi_320_ = 0f;
+                    phi_352_ = 0f;
                 }
-                let _e134 = phi_320_;
+                let _e134 = phi_352_;
                 if (_e119 < 8388608f) {
-                    phi_325_ = (_e131 - _e134);
-                    phi_326_ = false;
+                    phi_357_ = (_e131 - _e134);
+                    phi_358_ = false;
                 } else {
-                    phi_325_ = f32();
-                    phi_326_ = true;
+                    phi_357_ = f32();
+                    phi_358_ = true;
                 }
-                let _e137 = phi_325_;
-                let _e139 = phi_326_;
-                phi_327_ = _e137;
-                phi_328_ = _e139;
+                let _e137 = phi_357_;
+                let _e139 = phi_358_;
+                phi_359_ = _e137;
+                phi_360_ = _e139;
             } else {
-                phi_327_ = f32();
-                phi_328_ = true;
+                phi_359_ = f32();
+                phi_360_ = true;
             }
-            let _e141 = phi_327_;
-            let _e143 = phi_328_;
+            let _e141 = phi_359_;
+            let _e143 = phi_360_;
             if _e143 {
-                phi_332_ = _e119;
+                phi_364_ = _e119;
             } else {
-                phi_332_ = _e141;
+                phi_364_ = _e141;
             }
-            let _e145 = phi_332_;
-            let _e147 = (param_4 - (2f * _e145));
+            let _e145 = phi_364_;
+            let _e147 = (param_8 - (2f * _e145));
             if (_e147 > 1f) {
-                phi_340_ = (2f - _e147);
+                phi_372_ = (2f - _e147);
             } else {
-                phi_340_ = _e147;
+                phi_372_ = _e147;
             }
-            let _e151 = phi_340_;
-            phi_341_ = _e151;
+            let _e151 = phi_372_;
+            phi_373_ = _e151;
         } else {
-            phi_341_ = param_4;
+            phi_373_ = param_8;
         }
-        let _e153 = phi_341_;
-        phi_342_ = _e153;
+        let _e153 = phi_373_;
+        phi_374_ = _e153;
     }
-    let _e155 = phi_342_;
+    let _e155 = phi_374_;
     if (_e155 > 0f) {
         if (_e155 < 1f) {
-            phi_351_ = _e155;
+            phi_383_ = _e155;
         } else {
-            phi_351_ = 1f;
+            phi_383_ = 1f;
         }
-        let _e159 = phi_351_;
-        phi_352_ = _e159;
+        let _e159 = phi_383_;
+        phi_384_ = _e159;
     } else {
-        phi_352_ = 0f;
+        phi_384_ = 0f;
     }
-    let _e161 = phi_352_;
+    let _e161 = phi_384_;
     let _e162 = (_e76 - 1u);
     let _e164 = (_e161 * f32(_e76));
     if _e84 {
         let _e171 = select(select(u32(_e164), 0u, (_e164 < bitcast<f32>(0u))), 4294967295u, (_e164 > bitcast<f32>(1333788671u)));
         if (_e162 < _e171) {
-            phi_370_ = _e162;
+            phi_402_ = _e162;
         } else {
-            phi_370_ = _e171;
+            phi_402_ = _e171;
         }
-        let _e174 = phi_370_;
-        phi_409_ = texture_Axis(_e174, _e174, 0f);
+        let _e174 = phi_402_;
+        phi_441_ = texture_Axis(_e174, _e174, 0f);
     } else {
         let _e176 = (_e164 + 0.5f);
         let _e183 = select(select(u32(_e176), 0u, (_e176 < bitcast<f32>(0u))), 4294967295u, (_e176 > bitcast<f32>(1333788671u)));
         if (_e76 < _e183) {
-            phi_384_ = _e76;
+            phi_416_ = _e76;
         } else {
-            phi_384_ = _e183;
+            phi_416_ = _e183;
         }
-        let _e186 = phi_384_;
+        let _e186 = phi_416_;
         if (_e89 == 0u) {
-            phi_391_ = _e162;
+            phi_423_ = _e162;
         } else {
-            phi_391_ = 0u;
+            phi_423_ = 0u;
         }
-        let _e191 = phi_391_;
+        let _e191 = phi_423_;
         if (_e89 == 0u) {
-            phi_396_ = 0u;
+            phi_428_ = 0u;
         } else {
-            phi_396_ = _e162;
+            phi_428_ = _e162;
         }
-        let _e194 = phi_396_;
+        let _e194 = phi_428_;
         if (_e186 == 0u) {
-            phi_402_ = _e191;
+            phi_434_ = _e191;
         } else {
-            phi_402_ = (_e186 - 1u);
+            phi_434_ = (_e186 - 1u);
         }
-        let _e198 = phi_402_;
+        let _e198 = phi_434_;
         if (_e186 > _e162) {
-            phi_407_ = _e194;
+            phi_439_ = _e194;
         } else {
-            phi_407_ = _e186;
+            phi_439_ = _e186;
         }
-        let _e201 = phi_407_;
-        phi_409_ = texture_Axis(_e198, _e201, (_e176 - f32(_e186)));
+        let _e201 = phi_439_;
+        phi_441_ = texture_Axis(_e198, _e201, (_e176 - f32(_e186)));
     }
-    let _e204 = phi_409_;
-    let _e206 = (*param_3).flags;
+    let _e204 = phi_441_;
+    let _e206 = (*param_7).flags;
     let _e209 = ((_e206 >> bitcast<u32>(6u)) & 3u);
     if (_e209 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e222 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e222 > param_5) {
-                phi_437_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e222 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e222 > param_9) {
+                phi_469_ = 1f;
             } else {
-                phi_437_ = 0f;
+                phi_469_ = 0f;
             }
-            let _e225 = phi_437_;
-            if (param_5 < 8388608f) {
-                phi_442_ = (_e222 - _e225);
-                phi_443_ = false;
+            let _e225 = phi_469_;
+            if (param_9 < 8388608f) {
+                phi_474_ = (_e222 - _e225);
+                phi_475_ = false;
             } else {
-                phi_442_ = f32();
-                phi_443_ = true;
+                phi_474_ = f32();
+                phi_475_ = true;
             }
-            let _e228 = phi_442_;
-            let _e230 = phi_443_;
-            phi_444_ = _e228;
-            phi_445_ = _e230;
+            let _e228 = phi_474_;
+            let _e230 = phi_475_;
+            phi_476_ = _e228;
+            phi_477_ = _e230;
         } else {
-            phi_444_ = f32();
-            phi_445_ = true;
+            phi_476_ = f32();
+            phi_477_ = true;
         }
-        let _e232 = phi_444_;
-        let _e234 = phi_445_;
+        let _e232 = phi_476_;
+        let _e234 = phi_477_;
         if _e234 {
-            phi_449_ = param_5;
+            phi_481_ = param_9;
         } else {
-            phi_449_ = _e232;
+            phi_481_ = _e232;
         }
-        let _e236 = phi_449_;
-        phi_497_ = (param_5 - _e236);
+        let _e236 = phi_481_;
+        phi_529_ = (param_9 - _e236);
     } else {
         if (_e209 == 1u) {
-            let _e239 = (param_5 * 0.5f);
+            let _e239 = (param_9 * 0.5f);
             if (_e239 > -8388608f) {
                 let _e251 = f32(select(0i, select(select(i32(_e239), i32(-2147483648), (_e239 < bitcast<f32>(3472883712u))), 2147483647i, (_e239 > bitcast<f32>(1325400063u))), (_e239 == _e239)));
                 if (_e251 > _e239) {
-                    phi_475_ = 1f;
+                    phi_507_ = 1f;
                 } else {
-                    phi_475_ = 0f;
+                    phi_507_ = 0f;
                 }
-                let _e254 = phi_475_;
+                let _e254 = phi_507_;
                 if (_e239 < 8388608f) {
-                    phi_480_ = (_e251 - _e254);
-                    phi_481_ = false;
+                    phi_512_ = (_e251 - _e254);
+                    phi_513_ = false;
                 } else {
-                    phi_480_ = f32();
-                    phi_481_ = true;
+                    phi_512_ = f32();
+                    phi_513_ = true;
                 }
-                let _e257 = phi_480_;
-                let _e259 = phi_481_;
-                phi_482_ = _e257;
-                phi_483_ = _e259;
+                let _e257 = phi_512_;
+                let _e259 = phi_513_;
+                phi_514_ = _e257;
+                phi_515_ = _e259;
             } else {
-                phi_482_ = f32();
-                phi_483_ = true;
+                phi_514_ = f32();
+                phi_515_ = true;
             }
-            let _e261 = phi_482_;
-            let _e263 = phi_483_;
+            let _e261 = phi_514_;
+            let _e263 = phi_515_;
             if _e263 {
-                phi_487_ = _e239;
+                phi_519_ = _e239;
             } else {
-                phi_487_ = _e261;
+                phi_519_ = _e261;
             }
-            let _e265 = phi_487_;
-            let _e267 = (param_5 - (2f * _e265));
+            let _e265 = phi_519_;
+            let _e267 = (param_9 - (2f * _e265));
             if (_e267 > 1f) {
-                phi_495_ = (2f - _e267);
+                phi_527_ = (2f - _e267);
             } else {
-                phi_495_ = _e267;
+                phi_527_ = _e267;
             }
-            let _e271 = phi_495_;
-            phi_496_ = _e271;
+            let _e271 = phi_527_;
+            phi_528_ = _e271;
         } else {
-            phi_496_ = param_5;
+            phi_528_ = param_9;
         }
-        let _e273 = phi_496_;
-        phi_497_ = _e273;
+        let _e273 = phi_528_;
+        phi_529_ = _e273;
     }
-    let _e275 = phi_497_;
+    let _e275 = phi_529_;
     if (_e275 > 0f) {
         if (_e275 < 1f) {
-            phi_506_ = _e275;
+            phi_538_ = _e275;
         } else {
-            phi_506_ = 1f;
+            phi_538_ = 1f;
         }
-        let _e279 = phi_506_;
-        phi_507_ = _e279;
+        let _e279 = phi_538_;
+        phi_539_ = _e279;
     } else {
-        phi_507_ = 0f;
+        phi_539_ = 0f;
     }
-    let _e281 = phi_507_;
+    let _e281 = phi_539_;
     let _e282 = (_e80 - 1u);
     let _e284 = (_e281 * f32(_e80));
     if _e84 {
         let _e291 = select(select(u32(_e284), 0u, (_e284 < bitcast<f32>(0u))), 4294967295u, (_e284 > bitcast<f32>(1333788671u)));
         if (_e282 < _e291) {
-            phi_525_ = _e282;
+            phi_557_ = _e282;
         } else {
-            phi_525_ = _e291;
+            phi_557_ = _e291;
         }
-        let _e294 = phi_525_;
-        phi_564_ = texture_Axis(_e294, _e294, 0f);
+        let _e294 = phi_557_;
+        phi_596_ = texture_Axis(_e294, _e294, 0f);
     } else {
         let _e296 = (_e284 + 0.5f);
         let _e303 = select(select(u32(_e296), 0u, (_e296 < bitcast<f32>(0u))), 4294967295u, (_e296 > bitcast<f32>(1333788671u)));
         if (_e80 < _e303) {
-            phi_539_ = _e80;
+            phi_571_ = _e80;
         } else {
-            phi_539_ = _e303;
+            phi_571_ = _e303;
         }
-        let _e306 = phi_539_;
+        let _e306 = phi_571_;
         if (_e209 == 0u) {
-            phi_546_ = _e282;
+            phi_578_ = _e282;
         } else {
-            phi_546_ = 0u;
+            phi_578_ = 0u;
         }
-        let _e311 = phi_546_;
+        let _e311 = phi_578_;
         if (_e209 == 0u) {
-            phi_551_ = 0u;
+            phi_583_ = 0u;
         } else {
-            phi_551_ = _e282;
+            phi_583_ = _e282;
         }
-        let _e314 = phi_551_;
+        let _e314 = phi_583_;
         if (_e306 == 0u) {
-            phi_557_ = _e311;
+            phi_589_ = _e311;
         } else {
-            phi_557_ = (_e306 - 1u);
+            phi_589_ = (_e306 - 1u);
         }
-        let _e318 = phi_557_;
+        let _e318 = phi_589_;
         if (_e306 > _e282) {
-            phi_562_ = _e314;
+            phi_594_ = _e314;
         } else {
-            phi_562_ = _e306;
+            phi_594_ = _e306;
         }
-        let _e321 = phi_562_;
-        phi_564_ = texture_Axis(_e318, _e321, (_e296 - f32(_e306)));
+        let _e321 = phi_594_;
+        phi_596_ = texture_Axis(_e318, _e321, (_e296 - f32(_e306)));
     }
-    let _e324 = phi_564_;
-    let _e328 = (*param_3).offset;
-    let _e335 = (*param_3).offset;
-    let _e342 = (*param_3).offset;
-    let _e349 = (*param_3).offset;
+    let _e324 = phi_596_;
+    let _e328 = (*param_7).offset;
+    let _e335 = (*param_7).offset;
+    let _e342 = (*param_7).offset;
+    let _e349 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e328 + (_e324.low * _e76)) + _e204.low), ((_e335 + (_e324.low * _e76)) + _e204.high), ((_e342 + (_e324.high * _e76)) + _e204.low), ((_e349 + (_e324.high * _e76)) + _e204.high)), vec4<f32>(((1f - _e204.fraction) * (1f - _e324.fraction)), (_e204.fraction * (1f - _e324.fraction)), ((1f - _e204.fraction) * _e324.fraction), (_e204.fraction * _e324.fraction)));
 }
 
-fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_627_: bool;
-    var phi_631_: f32;
-
-    if (param_8 != param_8) {
-        phi_627_ = true;
-    } else {
-        let _e74 = (param_9 >= param_8);
-        if _e74 {
-        }
-        phi_627_ = _e74;
-    }
-    let _e76 = phi_627_;
-    if _e76 {
-        phi_631_ = param_9;
-    } else {
-        phi_631_ = param_8;
-    }
-    let _e78 = phi_631_;
-    return _e78;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_643_: bool;
-    var phi_647_: f32;
-
-    if (param_10 != param_10) {
-        phi_643_ = true;
-    } else {
-        let _e74 = (param_11 <= param_10);
-        if _e74 {
-        }
-        phi_643_ = _e74;
-    }
-    let _e76 = phi_643_;
-    if _e76 {
-        phi_647_ = param_11;
-    } else {
-        phi_647_ = param_10;
-    }
-    let _e78 = phi_647_;
-    return _e78;
+fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_10, 0f, param_11, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {

@@ -39,6 +39,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_31 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -48,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_28 {
+struct type_35 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -60,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_32 {
+struct type_39 {
     member: array<abi_Vertex>,
 }
 
@@ -72,11 +92,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_36 {
+struct type_43 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -101,32 +134,12 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_47 {
+struct type_57 {
     member: array<lt_bvh_Instance>,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_53 {
+struct type_61 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_58 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -144,33 +157,21 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_32;
+var<storage> vertices: type_39;
 @group(0) @binding(4) 
-var<storage> materials: type_36;
+var<storage> materials: type_43;
 @group(0) @binding(0) 
-var<uniform> p: type_53;
+var<uniform> p: type_61;
 @group(0) @binding(1) 
-var<storage> nodes: type_58;
+var<storage> nodes: type_31;
 @group(0) @binding(2) 
-var<storage> triangles: type_28;
+var<storage> triangles: type_35;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_47;
+var<storage> instances: type_57;
 @group(0) @binding(7) 
 var<storage> color_texels: type_13;
 
@@ -208,401 +209,401 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_269_: f32;
-    var phi_274_: f32;
-    var phi_275_: bool;
-    var phi_276_: f32;
-    var phi_277_: bool;
-    var phi_281_: f32;
-    var phi_307_: f32;
-    var phi_312_: f32;
-    var phi_313_: bool;
-    var phi_314_: f32;
-    var phi_315_: bool;
-    var phi_319_: f32;
-    var phi_327_: f32;
-    var phi_328_: f32;
-    var phi_329_: f32;
-    var phi_338_: f32;
-    var phi_339_: f32;
-    var phi_357_: u32;
-    var phi_371_: u32;
-    var phi_378_: u32;
-    var phi_383_: u32;
-    var phi_389_: u32;
-    var phi_394_: u32;
-    var phi_396_: texture_Axis;
-    var phi_424_: f32;
-    var phi_429_: f32;
-    var phi_430_: bool;
-    var phi_431_: f32;
-    var phi_432_: bool;
-    var phi_436_: f32;
-    var phi_462_: f32;
-    var phi_467_: f32;
-    var phi_468_: bool;
-    var phi_469_: f32;
-    var phi_470_: bool;
-    var phi_474_: f32;
-    var phi_482_: f32;
-    var phi_483_: f32;
-    var phi_484_: f32;
-    var phi_493_: f32;
-    var phi_494_: f32;
-    var phi_512_: u32;
-    var phi_526_: u32;
-    var phi_533_: u32;
-    var phi_538_: u32;
-    var phi_544_: u32;
-    var phi_549_: u32;
-    var phi_551_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_239_: bool;
+    var phi_243_: f32;
 
-    let _e73 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_239_ = true;
+    } else {
+        let _e72 = (param_4 >= param_3);
+        if _e72 {
+        }
+        phi_239_ = _e72;
+    }
+    let _e74 = phi_239_;
+    if _e74 {
+        phi_243_ = param_4;
+    } else {
+        phi_243_ = param_3;
+    }
+    let _e76 = phi_243_;
+    return _e76;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_255_: bool;
+    var phi_259_: f32;
+
+    if (param_5 != param_5) {
+        phi_255_ = true;
+    } else {
+        let _e72 = (param_6 <= param_5);
+        if _e72 {
+        }
+        phi_255_ = _e72;
+    }
+    let _e74 = phi_255_;
+    if _e74 {
+        phi_259_ = param_6;
+    } else {
+        phi_259_ = param_5;
+    }
+    let _e76 = phi_259_;
+    return _e76;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_301_: f32;
+    var phi_306_: f32;
+    var phi_307_: bool;
+    var phi_308_: f32;
+    var phi_309_: bool;
+    var phi_313_: f32;
+    var phi_339_: f32;
+    var phi_344_: f32;
+    var phi_345_: bool;
+    var phi_346_: f32;
+    var phi_347_: bool;
+    var phi_351_: f32;
+    var phi_359_: f32;
+    var phi_360_: f32;
+    var phi_361_: f32;
+    var phi_370_: f32;
+    var phi_371_: f32;
+    var phi_389_: u32;
+    var phi_403_: u32;
+    var phi_410_: u32;
+    var phi_415_: u32;
+    var phi_421_: u32;
+    var phi_426_: u32;
+    var phi_428_: texture_Axis;
+    var phi_456_: f32;
+    var phi_461_: f32;
+    var phi_462_: bool;
+    var phi_463_: f32;
+    var phi_464_: bool;
+    var phi_468_: f32;
+    var phi_494_: f32;
+    var phi_499_: f32;
+    var phi_500_: bool;
+    var phi_501_: f32;
+    var phi_502_: bool;
+    var phi_506_: f32;
+    var phi_514_: f32;
+    var phi_515_: f32;
+    var phi_516_: f32;
+    var phi_525_: f32;
+    var phi_526_: f32;
+    var phi_544_: u32;
+    var phi_558_: u32;
+    var phi_565_: u32;
+    var phi_570_: u32;
+    var phi_576_: u32;
+    var phi_581_: u32;
+    var phi_583_: texture_Axis;
+
+    let _e73 = (*param_7).size;
     let _e74 = (_e73 & 65535u);
-    let _e76 = (*param_3).size;
+    let _e76 = (*param_7).size;
     let _e78 = (_e76 >> bitcast<u32>(16i));
-    let _e80 = (*param_3).flags;
+    let _e80 = (*param_7).flags;
     let _e82 = ((_e80 & 4u) != 0u);
-    let _e84 = (*param_3).flags;
+    let _e84 = (*param_7).flags;
     let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
     if (_e87 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e100 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e100 > param_4) {
-                phi_269_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e100 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e100 > param_8) {
+                phi_301_ = 1f;
             } else {
-                phi_269_ = 0f;
+                phi_301_ = 0f;
             }
-            let _e103 = phi_269_;
-            if (param_4 < 8388608f) {
-                phi_274_ = (_e100 - _e103);
-                phi_275_ = false;
+            let _e103 = phi_301_;
+            if (param_8 < 8388608f) {
+                phi_306_ = (_e100 - _e103);
+                phi_307_ = false;
             } else {
-                phi_274_ = f32();
-                phi_275_ = true;
+                phi_306_ = f32();
+                phi_307_ = true;
             }
-            let _e106 = phi_274_;
-            let _e108 = phi_275_;
-            phi_276_ = _e106;
-            phi_277_ = _e108;
+            let _e106 = phi_306_;
+            let _e108 = phi_307_;
+            phi_308_ = _e106;
+            phi_309_ = _e108;
         } else {
-            phi_276_ = f32();
-            phi_277_ = true;
+            phi_308_ = f32();
+            phi_309_ = true;
         }
-        let _e110 = phi_276_;
-        let _e112 = phi_277_;
+        let _e110 = phi_308_;
+        let _e112 = phi_309_;
         if _e112 {
-            phi_281_ = param_4;
+            phi_313_ = param_8;
         } else {
-            phi_281_ = _e110;
+            phi_313_ = _e110;
         }
-        let _e114 = phi_281_;
-        phi_329_ = (param_4 - _e114);
+        let _e114 = phi_313_;
+        phi_361_ = (param_8 - _e114);
     } else {
         if (_e87 == 1u) {
-            let _e117 = (param_4 * 0.5f);
+            let _e117 = (param_8 * 0.5f);
             if (_e117 > -8388608f) {
                 let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
                 if (_e129 > _e117) {
-                    phi_307_ = 1f;
+                    phi_339_ = 1f;
                 } else {
-                    phi_307_ = 0f;
+                    phi_339_ = 0f;
                 }
-                let _e132 = phi_307_;
+                let _e132 = phi_339_;
                 if (_e117 < 8388608f) {
-                    phi_312_ = (_e129 - _e132);
-                    phi_313_ = false;
+                    phi_344_ = (_e129 - _e132);
+                    phi_345_ = false;
                 } else {
-                    phi_312_ = f32();
-                    phi_313_ = true;
+                    phi_344_ = f32();
+                    phi_345_ = true;
                 }
-                let _e135 = phi_312_;
-                let _e137 = phi_313_;
-                phi_314_ = _e135;
-                phi_315_ = _e137;
+                let _e135 = phi_344_;
+                let _e137 = phi_345_;
+                phi_346_ = _e135;
+                phi_347_ = _e137;
             } else {
-                phi_314_ = f32();
-                phi_315_ = true;
+                phi_346_ = f32();
+                phi_347_ = true;
             }
-            let _e139 = phi_314_;
-            let _e141 = phi_315_;
+            let _e139 = phi_346_;
+            let _e141 = phi_347_;
             if _e141 {
-                phi_319_ = _e117;
+                phi_351_ = _e117;
             } else {
-                phi_319_ = _e139;
+                phi_351_ = _e139;
             }
-            let _e143 = phi_319_;
-            let _e145 = (param_4 - (2f * _e143));
+            let _e143 = phi_351_;
+            let _e145 = (param_8 - (2f * _e143));
             if (_e145 > 1f) {
-                phi_327_ = (2f - _e145);
+                phi_359_ = (2f - _e145);
             } else {
-                phi_327_ = _e145;
+                phi_359_ = _e145;
             }
-            let _e149 = phi_327_;
-            phi_328_ = _e149;
+            let _e149 = phi_359_;
+            phi_360_ = _e149;
         } else {
-            phi_328_ = param_4;
+            phi_360_ = param_8;
         }
-        let _e151 = phi_328_;
-        phi_329_ = _e151;
+        let _e151 = phi_360_;
+        phi_361_ = _e151;
     }
-    let _e153 = phi_329_;
+    let _e153 = phi_361_;
     if (_e153 > 0f) {
         if (_e153 < 1f) {
-            phi_338_ = _e153;
+            phi_370_ = _e153;
         } else {
-            phi_338_ = 1f;
+            phi_370_ = 1f;
         }
-        let _e157 = phi_338_;
-        phi_339_ = _e157;
+        let _e157 = phi_370_;
+        phi_371_ = _e157;
     } else {
-        phi_339_ = 0f;
+        phi_371_ = 0f;
     }
-    let _e159 = phi_339_;
+    let _e159 = phi_371_;
     let _e160 = (_e74 - 1u);
     let _e162 = (_e159 * f32(_e74));
     if _e82 {
         let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
         if (_e160 < _e169) {
-            phi_357_ = _e160;
+            phi_389_ = _e160;
         } else {
-            phi_357_ = _e169;
+            phi_389_ = _e169;
         }
-        let _e172 = phi_357_;
-        phi_396_ = texture_Axis(_e172, _e172, 0f);
+        let _e172 = phi_389_;
+        phi_428_ = texture_Axis(_e172, _e172, 0f);
     } else {
         let _e174 = (_e162 + 0.5f);
         let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
         if (_e74 < _e181) {
-            phi_371_ = _e74;
+            phi_403_ = _e74;
         } else {
-            phi_371_ = _e181;
+            phi_403_ = _e181;
         }
-        let _e184 = phi_371_;
+        let _e184 = phi_403_;
         if (_e87 == 0u) {
-            phi_378_ = _e160;
+            phi_410_ = _e160;
         } else {
-            phi_378_ = 0u;
+            phi_410_ = 0u;
         }
-        let _e189 = phi_378_;
+        let _e189 = phi_410_;
         if (_e87 == 0u) {
-            phi_383_ = 0u;
+            phi_415_ = 0u;
         } else {
-            phi_383_ = _e160;
+            phi_415_ = _e160;
         }
-        let _e192 = phi_383_;
+        let _e192 = phi_415_;
         if (_e184 == 0u) {
-            phi_389_ = _e189;
+            phi_421_ = _e189;
         } else {
-            phi_389_ = (_e184 - 1u);
+            phi_421_ = (_e184 - 1u);
         }
-        let _e196 = phi_389_;
+        let _e196 = phi_421_;
         if (_e184 > _e160) {
-            phi_394_ = _e192;
+            phi_426_ = _e192;
         } else {
-            phi_394_ = _e184;
+            phi_426_ = _e184;
         }
-        let _e199 = phi_394_;
-        phi_396_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
+        let _e199 = phi_426_;
+        phi_428_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
     }
-    let _e202 = phi_396_;
-    let _e204 = (*param_3).flags;
+    let _e202 = phi_428_;
+    let _e204 = (*param_7).flags;
     let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
     if (_e207 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e220 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e220 > param_5) {
-                phi_424_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e220 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e220 > param_9) {
+                phi_456_ = 1f;
             } else {
-                phi_424_ = 0f;
+                phi_456_ = 0f;
             }
-            let _e223 = phi_424_;
-            if (param_5 < 8388608f) {
-                phi_429_ = (_e220 - _e223);
-                phi_430_ = false;
+            let _e223 = phi_456_;
+            if (param_9 < 8388608f) {
+                phi_461_ = (_e220 - _e223);
+                phi_462_ = false;
             } else {
-                phi_429_ = f32();
-                phi_430_ = true;
+                phi_461_ = f32();
+                phi_462_ = true;
             }
-            let _e226 = phi_429_;
-            let _e228 = phi_430_;
-            phi_431_ = _e226;
-            phi_432_ = _e228;
+            let _e226 = phi_461_;
+            let _e228 = phi_462_;
+            phi_463_ = _e226;
+            phi_464_ = _e228;
         } else {
-            phi_431_ = f32();
-            phi_432_ = true;
+            phi_463_ = f32();
+            phi_464_ = true;
         }
-        let _e230 = phi_431_;
-        let _e232 = phi_432_;
+        let _e230 = phi_463_;
+        let _e232 = phi_464_;
         if _e232 {
-            phi_436_ = param_5;
+            phi_468_ = param_9;
         } else {
-            phi_436_ = _e230;
+            phi_468_ = _e230;
         }
-        let _e234 = phi_436_;
-        phi_484_ = (param_5 - _e234);
+        let _e234 = phi_468_;
+        phi_516_ = (param_9 - _e234);
     } else {
         if (_e207 == 1u) {
-            let _e237 = (param_5 * 0.5f);
+            let _e237 = (param_9 * 0.5f);
             if (_e237 > -8388608f) {
                 let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
                 if (_e249 > _e237) {
-                    phi_462_ = 1f;
+                    phi_494_ = 1f;
                 } else {
-                    phi_462_ = 0f;
+                    phi_494_ = 0f;
                 }
-                let _e252 = phi_462_;
+                let _e252 = phi_494_;
                 if (_e237 < 8388608f) {
-                    phi_467_ = (_e249 - _e252);
-                    phi_468_ = false;
+                    phi_499_ = (_e249 - _e252);
+                    phi_500_ = false;
                 } else {
-                    phi_467_ = f32();
-                    phi_468_ = true;
+                    phi_499_ = f32();
+                    phi_500_ = true;
                 }
-                let _e255 = phi_467_;
-                let _e257 = phi_468_;
-                phi_469_ = _e255;
-                phi_470_ = _e257;
+                let _e255 = phi_499_;
+                let _e257 = phi_500_;
+                phi_501_ = _e255;
+                phi_502_ = _e257;
             } else {
-                phi_469_ = f32();
-                phi_470_ = true;
+                phi_501_ = f32();
+                phi_502_ = true;
             }
-            let _e259 = phi_469_;
-            let _e261 = phi_470_;
+            let _e259 = phi_501_;
+            let _e261 = phi_502_;
             if _e261 {
-                phi_474_ = _e237;
+                phi_506_ = _e237;
             } else {
-                phi_474_ = _e259;
+                phi_506_ = _e259;
             }
-            let _e263 = phi_474_;
-            let _e265 = (param_5 - (2f * _e263));
+            let _e263 = phi_506_;
+            let _e265 = (param_9 - (2f * _e263));
             if (_e265 > 1f) {
-                phi_482_ = (2f - _e265);
+                phi_514_ = (2f - _e265);
             } else {
-                phi_482_ = _e265;
+                phi_514_ = _e265;
             }
-            let _e269 = phi_482_;
-            phi_483_ = _e269;
+            let _e269 = phi_514_;
+            phi_515_ = _e269;
         } else {
-            phi_483_ = param_5;
+            phi_515_ = param_9;
         }
-        let _e271 = phi_483_;
-        phi_484_ = _e271;
+        let _e271 = phi_515_;
+        phi_516_ = _e271;
     }
-    let _e273 = phi_484_;
+    let _e273 = phi_516_;
     if (_e273 > 0f) {
         if (_e273 < 1f) {
-            phi_493_ = _e273;
+            phi_525_ = _e273;
         } else {
-            phi_493_ = 1f;
+            phi_525_ = 1f;
         }
-        let _e277 = phi_493_;
-        phi_494_ = _e277;
+        let _e277 = phi_525_;
+        phi_526_ = _e277;
     } else {
-        phi_494_ = 0f;
+        phi_526_ = 0f;
     }
-    let _e279 = phi_494_;
+    let _e279 = phi_526_;
     let _e280 = (_e78 - 1u);
     let _e282 = (_e279 * f32(_e78));
     if _e82 {
         let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
         if (_e280 < _e289) {
-            phi_512_ = _e280;
+            phi_544_ = _e280;
         } else {
-            phi_512_ = _e289;
+            phi_544_ = _e289;
         }
-        let _e292 = phi_512_;
-        phi_551_ = texture_Axis(_e292, _e292, 0f);
+        let _e292 = phi_544_;
+        phi_583_ = texture_Axis(_e292, _e292, 0f);
     } else {
         let _e294 = (_e282 + 0.5f);
         let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
         if (_e78 < _e301) {
-            phi_526_ = _e78;
+            phi_558_ = _e78;
         } else {
-            phi_526_ = _e301;
+            phi_558_ = _e301;
         }
-        let _e304 = phi_526_;
+        let _e304 = phi_558_;
         if (_e207 == 0u) {
-            phi_533_ = _e280;
+            phi_565_ = _e280;
         } else {
-            phi_533_ = 0u;
+            phi_565_ = 0u;
         }
-        let _e309 = phi_533_;
+        let _e309 = phi_565_;
         if (_e207 == 0u) {
-            phi_538_ = 0u;
+            phi_570_ = 0u;
         } else {
-            phi_538_ = _e280;
+            phi_570_ = _e280;
         }
-        let _e312 = phi_538_;
+        let _e312 = phi_570_;
         if (_e304 == 0u) {
-            phi_544_ = _e309;
+            phi_576_ = _e309;
         } else {
-            phi_544_ = (_e304 - 1u);
+            phi_576_ = (_e304 - 1u);
         }
-        let _e316 = phi_544_;
+        let _e316 = phi_576_;
         if (_e304 > _e280) {
-            phi_549_ = _e312;
+            phi_581_ = _e312;
         } else {
-            phi_549_ = _e304;
+            phi_581_ = _e304;
         }
-        let _e319 = phi_549_;
-        phi_551_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
+        let _e319 = phi_581_;
+        phi_583_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
     }
-    let _e322 = phi_551_;
-    let _e326 = (*param_3).offset;
-    let _e333 = (*param_3).offset;
-    let _e340 = (*param_3).offset;
-    let _e347 = (*param_3).offset;
+    let _e322 = phi_583_;
+    let _e326 = (*param_7).offset;
+    let _e333 = (*param_7).offset;
+    let _e340 = (*param_7).offset;
+    let _e347 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
 }
 
-fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_614_: bool;
-    var phi_618_: f32;
-
-    if (param_8 != param_8) {
-        phi_614_ = true;
-    } else {
-        let _e72 = (param_9 >= param_8);
-        if _e72 {
-        }
-        phi_614_ = _e72;
-    }
-    let _e74 = phi_614_;
-    if _e74 {
-        phi_618_ = param_9;
-    } else {
-        phi_618_ = param_8;
-    }
-    let _e76 = phi_618_;
-    return _e76;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_630_: bool;
-    var phi_634_: f32;
-
-    if (param_10 != param_10) {
-        phi_630_ = true;
-    } else {
-        let _e72 = (param_11 <= param_10);
-        if _e72 {
-        }
-        phi_630_ = _e72;
-    }
-    let _e74 = phi_630_;
-    if _e74 {
-        phi_634_ = param_11;
-    } else {
-        phi_634_ = param_10;
-    }
-    let _e76 = phi_634_;
-    return _e76;
+fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_10, 0f, param_11, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {

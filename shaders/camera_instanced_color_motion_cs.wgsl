@@ -43,6 +43,26 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -52,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_32 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -64,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_36 {
+struct type_43 {
     member: array<abi_Vertex>,
 }
 
@@ -76,11 +96,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_40 {
+struct type_47 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -105,32 +138,12 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_51 {
+struct type_61 {
     member: array<lt_bvh_Instance>,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_57 {
+struct type_65 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_62 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -148,33 +161,21 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_36;
+var<storage> vertices: type_43;
 @group(0) @binding(4) 
-var<storage> materials: type_40;
+var<storage> materials: type_47;
 @group(0) @binding(0) 
-var<uniform> p: type_57;
+var<uniform> p: type_65;
 @group(0) @binding(1) 
-var<storage> nodes: type_62;
+var<storage> nodes: type_35;
 @group(0) @binding(2) 
-var<storage> triangles: type_32;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_51;
+var<storage> instances: type_61;
 @group(0) @binding(7) 
 var<storage> color_texels: type_13;
 @group(0) @binding(8) 
@@ -216,401 +217,401 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_275_: f32;
-    var phi_280_: f32;
-    var phi_281_: bool;
-    var phi_282_: f32;
-    var phi_283_: bool;
-    var phi_287_: f32;
-    var phi_313_: f32;
-    var phi_318_: f32;
-    var phi_319_: bool;
-    var phi_320_: f32;
-    var phi_321_: bool;
-    var phi_325_: f32;
-    var phi_333_: f32;
-    var phi_334_: f32;
-    var phi_335_: f32;
-    var phi_344_: f32;
-    var phi_345_: f32;
-    var phi_363_: u32;
-    var phi_377_: u32;
-    var phi_384_: u32;
-    var phi_389_: u32;
-    var phi_395_: u32;
-    var phi_400_: u32;
-    var phi_402_: texture_Axis;
-    var phi_430_: f32;
-    var phi_435_: f32;
-    var phi_436_: bool;
-    var phi_437_: f32;
-    var phi_438_: bool;
-    var phi_442_: f32;
-    var phi_468_: f32;
-    var phi_473_: f32;
-    var phi_474_: bool;
-    var phi_475_: f32;
-    var phi_476_: bool;
-    var phi_480_: f32;
-    var phi_488_: f32;
-    var phi_489_: f32;
-    var phi_490_: f32;
-    var phi_499_: f32;
-    var phi_500_: f32;
-    var phi_518_: u32;
-    var phi_532_: u32;
-    var phi_539_: u32;
-    var phi_544_: u32;
-    var phi_550_: u32;
-    var phi_555_: u32;
-    var phi_557_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_245_: bool;
+    var phi_249_: f32;
 
-    let _e75 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_245_ = true;
+    } else {
+        let _e74 = (param_4 >= param_3);
+        if _e74 {
+        }
+        phi_245_ = _e74;
+    }
+    let _e76 = phi_245_;
+    if _e76 {
+        phi_249_ = param_4;
+    } else {
+        phi_249_ = param_3;
+    }
+    let _e78 = phi_249_;
+    return _e78;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_261_: bool;
+    var phi_265_: f32;
+
+    if (param_5 != param_5) {
+        phi_261_ = true;
+    } else {
+        let _e74 = (param_6 <= param_5);
+        if _e74 {
+        }
+        phi_261_ = _e74;
+    }
+    let _e76 = phi_261_;
+    if _e76 {
+        phi_265_ = param_6;
+    } else {
+        phi_265_ = param_5;
+    }
+    let _e78 = phi_265_;
+    return _e78;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_307_: f32;
+    var phi_312_: f32;
+    var phi_313_: bool;
+    var phi_314_: f32;
+    var phi_315_: bool;
+    var phi_319_: f32;
+    var phi_345_: f32;
+    var phi_350_: f32;
+    var phi_351_: bool;
+    var phi_352_: f32;
+    var phi_353_: bool;
+    var phi_357_: f32;
+    var phi_365_: f32;
+    var phi_366_: f32;
+    var phi_367_: f32;
+    var phi_376_: f32;
+    var phi_377_: f32;
+    var phi_395_: u32;
+    var phi_409_: u32;
+    var phi_416_: u32;
+    var phi_421_: u32;
+    var phi_427_: u32;
+    var phi_432_: u32;
+    var phi_434_: texture_Axis;
+    var phi_462_: f32;
+    var phi_467_: f32;
+    var phi_468_: bool;
+    var phi_469_: f32;
+    var phi_470_: bool;
+    var phi_474_: f32;
+    var phi_500_: f32;
+    var phi_505_: f32;
+    var phi_506_: bool;
+    var phi_507_: f32;
+    var phi_508_: bool;
+    var phi_512_: f32;
+    var phi_520_: f32;
+    var phi_521_: f32;
+    var phi_522_: f32;
+    var phi_531_: f32;
+    var phi_532_: f32;
+    var phi_550_: u32;
+    var phi_564_: u32;
+    var phi_571_: u32;
+    var phi_576_: u32;
+    var phi_582_: u32;
+    var phi_587_: u32;
+    var phi_589_: texture_Axis;
+
+    let _e75 = (*param_7).size;
     let _e76 = (_e75 & 65535u);
-    let _e78 = (*param_3).size;
+    let _e78 = (*param_7).size;
     let _e80 = (_e78 >> bitcast<u32>(16i));
-    let _e82 = (*param_3).flags;
+    let _e82 = (*param_7).flags;
     let _e84 = ((_e82 & 4u) != 0u);
-    let _e86 = (*param_3).flags;
+    let _e86 = (*param_7).flags;
     let _e89 = ((_e86 >> bitcast<u32>(4u)) & 3u);
     if (_e89 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e102 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e102 > param_4) {
-                phi_275_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e102 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e102 > param_8) {
+                phi_307_ = 1f;
             } else {
-                phi_275_ = 0f;
+                phi_307_ = 0f;
             }
-            let _e105 = phi_275_;
-            if (param_4 < 8388608f) {
-                phi_280_ = (_e102 - _e105);
-                phi_281_ = false;
+            let _e105 = phi_307_;
+            if (param_8 < 8388608f) {
+                phi_312_ = (_e102 - _e105);
+                phi_313_ = false;
             } else {
-                phi_280_ = f32();
-                phi_281_ = true;
+                phi_312_ = f32();
+                phi_313_ = true;
             }
-            let _e108 = phi_280_;
-            let _e110 = phi_281_;
-            phi_282_ = _e108;
-            phi_283_ = _e110;
+            let _e108 = phi_312_;
+            let _e110 = phi_313_;
+            phi_314_ = _e108;
+            phi_315_ = _e110;
         } else {
-            phi_282_ = f32();
-            phi_283_ = true;
+            phi_314_ = f32();
+            phi_315_ = true;
         }
-        let _e112 = phi_282_;
-        let _e114 = phi_283_;
+        let _e112 = phi_314_;
+        let _e114 = phi_315_;
         if _e114 {
-            phi_287_ = param_4;
+            phi_319_ = param_8;
         } else {
-            phi_287_ = _e112;
+            phi_319_ = _e112;
         }
-        let _e116 = phi_287_;
-        phi_335_ = (param_4 - _e116);
+        let _e116 = phi_319_;
+        phi_367_ = (param_8 - _e116);
     } else {
         if (_e89 == 1u) {
-            let _e119 = (param_4 * 0.5f);
+            let _e119 = (param_8 * 0.5f);
             if (_e119 > -8388608f) {
                 let _e131 = f32(select(0i, select(select(i32(_e119), i32(-2147483648), (_e119 < bitcast<f32>(3472883712u))), 2147483647i, (_e119 > bitcast<f32>(1325400063u))), (_e119 == _e119)));
                 if (_e131 > _e119) {
-                    phi_313_ = 1f;
+                    phi_345_ = 1f;
                 } else {
-                    phi_313_ = 0f;
+                    phi_345_ = 0f;
                 }
-                let _e134 = phi_313_;
+                let _e134 = phi_345_;
                 if (_e119 < 8388608f) {
-                    phi_318_ = (_e131 - _e134);
-                    phi_319_ = false;
+                    phi_350_ = (_e131 - _e134);
+                    phi_351_ = false;
                 } else {
-                    phi_318_ = f32();
-                    phi_319_ = true;
+                    phi_350_ = f32();
+                    phi_351_ = true;
                 }
-                let _e137 = phi_318_;
-                let _e139 = phi_319_;
-                phi_320_ = _e137;
-                phi_321_ = _e139;
+                let _e137 = phi_350_;
+                let _e139 = phi_351_;
+                phi_352_ = _e137;
+                phi_353_ = _e139;
             } else {
-                phi_320_ = f32();
-                phi_321_ = true;
+                phi_352_ = f32();
+                phi_353_ = true;
             }
-            let _e141 = phi_320_;
-            let _e143 = phi_321_;
+            let _e141 = phi_352_;
+            let _e143 = phi_353_;
             if _e143 {
-                phi_325_ = _e119;
+                phi_357_ = _e119;
             } else {
-                phi_325_ = _e141;
+                phi_357_ = _e141;
             }
-            let _e145 = phi_325_;
-            let _e147 = (param_4 - (2f * _e145));
+            let _e145 = phi_357_;
+            let _e147 = (param_8 - (2f * _e145));
             if (_e147 > 1f) {
-                phi_333_ = (2f - _e147);
+                phi_365_ = (2f - _e147);
             } else {
-                phi_333_ = _e147;
+                phi_365_ = _e147;
             }
-            let _e151 = phi_333_;
-            phi_334_ = _e151;
+            let _e151 = phi_365_;
+            phi_366_ = _e151;
         } else {
-            phi_334_ = param_4;
+            phi_366_ = param_8;
         }
-        let _e153 = phi_334_;
-        phi_335_ = _e153;
+        let _e153 = phi_366_;
+        phi_367_ = _e153;
     }
-    let _e155 = phi_335_;
+    let _e155 = phi_367_;
     if (_e155 > 0f) {
         if (_e155 < 1f) {
-            phi_344_ = _e155;
+            phi_376_ = _e155;
         } else {
-            phi_344_ = 1f;
+            phi_376_ = 1f;
         }
-        let _e159 = phi_344_;
-        phi_345_ = _e159;
+        let _e159 = phi_376_;
+        phi_377_ = _e159;
     } else {
-        phi_345_ = 0f;
+        phi_377_ = 0f;
     }
-    let _e161 = phi_345_;
+    let _e161 = phi_377_;
     let _e162 = (_e76 - 1u);
     let _e164 = (_e161 * f32(_e76));
     if _e84 {
         let _e171 = select(select(u32(_e164), 0u, (_e164 < bitcast<f32>(0u))), 4294967295u, (_e164 > bitcast<f32>(1333788671u)));
         if (_e162 < _e171) {
-            phi_363_ = _e162;
+            phi_395_ = _e162;
         } else {
-            phi_363_ = _e171;
+            phi_395_ = _e171;
         }
-        let _e174 = phi_363_;
-        phi_402_ = texture_Axis(_e174, _e174, 0f);
+        let _e174 = phi_395_;
+        phi_434_ = texture_Axis(_e174, _e174, 0f);
     } else {
         let _e176 = (_e164 + 0.5f);
         let _e183 = select(select(u32(_e176), 0u, (_e176 < bitcast<f32>(0u))), 4294967295u, (_e176 > bitcast<f32>(1333788671u)));
         if (_e76 < _e183) {
-            phi_377_ = _e76;
+            phi_409_ = _e76;
         } else {
-            phi_377_ = _e183;
+            phi_409_ = _e183;
         }
-        let _e186 = phi_377_;
+        let _e186 = phi_409_;
         if (_e89 == 0u) {
-            phi_384_ = _e162;
+            phi_416_ = _e162;
         } else {
-            phi_384_ = 0u;
+            phi_416_ = 0u;
         }
-        let _e191 = phi_384_;
+        let _e191 = phi_416_;
         if (_e89 == 0u) {
-            phi_389_ = 0u;
+            phi_421_ = 0u;
         } else {
-            phi_389_ = _e162;
+            phi_421_ = _e162;
         }
-        let _e194 = phi_389_;
+        let _e194 = phi_421_;
         if (_e186 == 0u) {
-            phi_395_ = _e191;
+            phi_427_ = _e191;
         } else {
-            phi_395_ = (_e186 - 1u);
+            phi_427_ = (_e186 - 1u);
         }
-        let _e198 = phi_395_;
+        let _e198 = phi_427_;
         if (_e186 > _e162) {
-            phi_400_ = _e194;
+            phi_432_ = _e194;
         } else {
-            phi_400_ = _e186;
+            phi_432_ = _e186;
         }
-        let _e201 = phi_400_;
-        phi_402_ = texture_Axis(_e198, _e201, (_e176 - f32(_e186)));
+        let _e201 = phi_432_;
+        phi_434_ = texture_Axis(_e198, _e201, (_e176 - f32(_e186)));
     }
-    let _e204 = phi_402_;
-    let _e206 = (*param_3).flags;
+    let _e204 = phi_434_;
+    let _e206 = (*param_7).flags;
     let _e209 = ((_e206 >> bitcast<u32>(6u)) & 3u);
     if (_e209 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e222 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e222 > param_5) {
-                phi_430_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e222 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e222 > param_9) {
+                phi_462_ = 1f;
             } else {
-                phi_430_ = 0f;
+                phi_462_ = 0f;
             }
-            let _e225 = phi_430_;
-            if (param_5 < 8388608f) {
-                phi_435_ = (_e222 - _e225);
-                phi_436_ = false;
+            let _e225 = phi_462_;
+            if (param_9 < 8388608f) {
+                phi_467_ = (_e222 - _e225);
+                phi_468_ = false;
             } else {
-                phi_435_ = f32();
-                phi_436_ = true;
+                phi_467_ = f32();
+                phi_468_ = true;
             }
-            let _e228 = phi_435_;
-            let _e230 = phi_436_;
-            phi_437_ = _e228;
-            phi_438_ = _e230;
+            let _e228 = phi_467_;
+            let _e230 = phi_468_;
+            phi_469_ = _e228;
+            phi_470_ = _e230;
         } else {
-            phi_437_ = f32();
-            phi_438_ = true;
+            phi_469_ = f32();
+            phi_470_ = true;
         }
-        let _e232 = phi_437_;
-        let _e234 = phi_438_;
+        let _e232 = phi_469_;
+        let _e234 = phi_470_;
         if _e234 {
-            phi_442_ = param_5;
+            phi_474_ = param_9;
         } else {
-            phi_442_ = _e232;
+            phi_474_ = _e232;
         }
-        let _e236 = phi_442_;
-        phi_490_ = (param_5 - _e236);
+        let _e236 = phi_474_;
+        phi_522_ = (param_9 - _e236);
     } else {
         if (_e209 == 1u) {
-            let _e239 = (param_5 * 0.5f);
+            let _e239 = (param_9 * 0.5f);
             if (_e239 > -8388608f) {
                 let _e251 = f32(select(0i, select(select(i32(_e239), i32(-2147483648), (_e239 < bitcast<f32>(3472883712u))), 2147483647i, (_e239 > bitcast<f32>(1325400063u))), (_e239 == _e239)));
                 if (_e251 > _e239) {
-                    phi_468_ = 1f;
+                    phi_500_ = 1f;
                 } else {
-                    phi_468_ = 0f;
+                    phi_500_ = 0f;
                 }
-                let _e254 = phi_468_;
+                let _e254 = phi_500_;
                 if (_e239 < 8388608f) {
-                    phi_473_ = (_e251 - _e254);
-                    phi_474_ = false;
+                    phi_505_ = (_e251 - _e254);
+                    phi_506_ = false;
                 } else {
-                    phi_473_ = f32();
-                    phi_474_ = true;
+                    phi_505_ = f32();
+                    phi_506_ = true;
                 }
-                let _e257 = phi_473_;
-                let _e259 = phi_474_;
-                phi_475_ = _e257;
-                phi_476_ = _e259;
+                let _e257 = phi_505_;
+                let _e259 = phi_506_;
+                phi_507_ = _e257;
+                phi_508_ = _e259;
             } else {
-                phi_475_ = f32();
-                phi_476_ = true;
+                phi_507_ = f32();
+                phi_508_ = true;
             }
-            let _e261 = phi_475_;
-            let _e263 = phi_476_;
+            let _e261 = phi_507_;
+            let _e263 = phi_508_;
             if _e263 {
-                phi_480_ = _e239;
+                phi_512_ = _e239;
             } else {
-                phi_480_ = _e261;
+                phi_512_ = _e261;
             }
-            let _e265 = phi_480_;
-            let _e267 = (param_5 - (2f * _e265));
+            let _e265 = phi_512_;
+            let _e267 = (param_9 - (2f * _e265));
             if (_e267 > 1f) {
-                phi_488_ = (2f - _e267);
+                phi_520_ = (2f - _e267);
             } else {
-                phi_488_ = _e267;
+                phi_520_ = _e267;
             }
-            let _e271 = phi_488_;
-            phi_489_ = _e271;
+            let _e271 = phi_520_;
+            phi_521_ = _e271;
         } else {
-            phi_489_ = param_5;
+            phi_521_ = param_9;
         }
-        let _e273 = phi_489_;
-        phi_490_ = _e273;
+        let _e273 = phi_521_;
+        phi_522_ = _e273;
     }
-    let _e275 = phi_490_;
+    let _e275 = phi_522_;
     if (_e275 > 0f) {
         if (_e275 < 1f) {
-            phi_499_ = _e275;
+            phi_531_ = _e275;
         } else {
-            phi_499_ = 1f;
+            phi_531_ = 1f;
         }
-        let _e279 = phi_499_;
-        phi_500_ = _e279;
+        let _e279 = phi_531_;
+        phi_532_ = _e279;
     } else {
-        phi_500_ = 0f;
+        phi_532_ = 0f;
     }
-    let _e281 = phi_500_;
+    let _e281 = phi_532_;
     let _e282 = (_e80 - 1u);
     let _e284 = (_e281 * f32(_e80));
     if _e84 {
         let _e291 = select(select(u32(_e284), 0u, (_e284 < bitcast<f32>(0u))), 4294967295u, (_e284 > bitcast<f32>(1333788671u)));
         if (_e282 < _e291) {
-            phi_518_ = _e282;
+            phi_550_ = _e282;
         } else {
-            phi_518_ = _e291;
+            phi_550_ = _e291;
         }
-        let _e294 = phi_518_;
-        phi_557_ = texture_Axis(_e294, _e294, 0f);
+        let _e294 = phi_550_;
+        phi_589_ = texture_Axis(_e294, _e294, 0f);
     } else {
         let _e296 = (_e284 + 0.5f);
         let _e303 = select(select(u32(_e296), 0u, (_e296 < bitcast<f32>(0u))), 4294967295u, (_e296 > bitcast<f32>(1333788671u)));
         if (_e80 < _e303) {
-            phi_532_ = _e80;
+            phi_564_ = _e80;
         } else {
-            phi_532_ = _e303;
+            phi_564_ = _e303;
         }
-        let _e306 = phi_532_;
+        let _e306 = phi_564_;
         if (_e209 == 0u) {
-            phi_539_ = _e282;
+            phi_571_ = _e282;
         } else {
-            phi_539_ = 0u;
+            phi_571_ = 0u;
         }
-        let _e311 = phi_539_;
+        let _e311 = phi_571_;
         if (_e209 == 0u) {
-            phi_544_ = 0u;
+            phi_576_ = 0u;
         } else {
-            phi_544_ = _e282;
+            phi_576_ = _e282;
         }
-        let _e314 = phi_544_;
+        let _e314 = phi_576_;
         if (_e306 == 0u) {
-            phi_550_ = _e311;
+            phi_582_ = _e311;
         } else {
-            phi_550_ = (_e306 - 1u);
+            phi_582_ = (_e306 - 1u);
         }
-        let _e318 = phi_550_;
+        let _e318 = phi_582_;
         if (_e306 > _e282) {
-            phi_555_ = _e314;
+            phi_587_ = _e314;
         } else {
-            phi_555_ = _e306;
+            phi_587_ = _e306;
         }
-        let _e321 = phi_555_;
-        phi_557_ = texture_Axis(_e318, _e321, (_e296 - f32(_e306)));
+        let _e321 = phi_587_;
+        phi_589_ = texture_Axis(_e318, _e321, (_e296 - f32(_e306)));
     }
-    let _e324 = phi_557_;
-    let _e328 = (*param_3).offset;
-    let _e335 = (*param_3).offset;
-    let _e342 = (*param_3).offset;
-    let _e349 = (*param_3).offset;
+    let _e324 = phi_589_;
+    let _e328 = (*param_7).offset;
+    let _e335 = (*param_7).offset;
+    let _e342 = (*param_7).offset;
+    let _e349 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e328 + (_e324.low * _e76)) + _e204.low), ((_e335 + (_e324.low * _e76)) + _e204.high), ((_e342 + (_e324.high * _e76)) + _e204.low), ((_e349 + (_e324.high * _e76)) + _e204.high)), vec4<f32>(((1f - _e204.fraction) * (1f - _e324.fraction)), (_e204.fraction * (1f - _e324.fraction)), ((1f - _e204.fraction) * _e324.fraction), (_e204.fraction * _e324.fraction)));
 }
 
-fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_620_: bool;
-    var phi_624_: f32;
-
-    if (param_8 != param_8) {
-        phi_620_ = true;
-    } else {
-        let _e74 = (param_9 >= param_8);
-        if _e74 {
-        }
-        phi_620_ = _e74;
-    }
-    let _e76 = phi_620_;
-    if _e76 {
-        phi_624_ = param_9;
-    } else {
-        phi_624_ = param_8;
-    }
-    let _e78 = phi_624_;
-    return _e78;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_636_: bool;
-    var phi_640_: f32;
-
-    if (param_10 != param_10) {
-        phi_636_ = true;
-    } else {
-        let _e74 = (param_11 <= param_10);
-        if _e74 {
-        }
-        phi_636_ = _e74;
-    }
-    let _e76 = phi_636_;
-    if _e76 {
-        phi_640_ = param_11;
-    } else {
-        phi_640_ = param_10;
-    }
-    let _e78 = phi_640_;
-    return _e78;
+fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_10, 0f, param_11, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {

@@ -29,6 +29,26 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_26 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -38,7 +58,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_23 {
+struct type_30 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -50,7 +70,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_27 {
+struct type_34 {
     member: array<abi_Vertex>,
 }
 
@@ -62,11 +82,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_31 {
+struct type_38 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct lt_bvh_Instance {
@@ -80,32 +113,12 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_41 {
+struct type_51 {
     member: array<lt_bvh_Instance>,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_47 {
+struct type_55 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_52 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -123,33 +136,21 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_27;
+var<storage> vertices: type_34;
 @group(0) @binding(4) 
-var<storage> materials: type_31;
+var<storage> materials: type_38;
 @group(0) @binding(0) 
-var<uniform> p: type_47;
+var<uniform> p: type_55;
 @group(0) @binding(1) 
-var<storage> nodes: type_52;
+var<storage> nodes: type_26;
 @group(0) @binding(2) 
-var<storage> triangles: type_23;
+var<storage> triangles: type_30;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_41;
+var<storage> instances: type_51;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_197_: lt_bvh_traverse_Tree;
@@ -185,52 +186,52 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e85.root, _e85.first_primitive);
 }
 
-fn _lt_bvh_ray_Ray_new(param_3: vec3<f32>, param_4: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_3, 0f, param_4, 300000000000000000000000000000000000000f);
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_220_: bool;
+    var phi_224_: f32;
+
+    if (param_3 != param_3) {
+        phi_220_ = true;
+    } else {
+        let _e64 = (param_4 >= param_3);
+        if _e64 {
+        }
+        phi_220_ = _e64;
+    }
+    let _e66 = phi_220_;
+    if _e66 {
+        phi_224_ = param_4;
+    } else {
+        phi_224_ = param_3;
+    }
+    let _e68 = phi_224_;
+    return _e68;
 }
 
-fn core_intrinsics_maximum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_224_: bool;
-    var phi_228_: f32;
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_236_: bool;
+    var phi_240_: f32;
 
     if (param_5 != param_5) {
-        phi_224_ = true;
+        phi_236_ = true;
     } else {
-        let _e64 = (param_6 >= param_5);
+        let _e64 = (param_6 <= param_5);
         if _e64 {
         }
-        phi_224_ = _e64;
+        phi_236_ = _e64;
     }
-    let _e66 = phi_224_;
+    let _e66 = phi_236_;
     if _e66 {
-        phi_228_ = param_6;
+        phi_240_ = param_6;
     } else {
-        phi_228_ = param_5;
+        phi_240_ = param_5;
     }
-    let _e68 = phi_228_;
+    let _e68 = phi_240_;
     return _e68;
 }
 
-fn core_intrinsics_minimum_number_nsz_f32_(param_7: f32, param_8: f32) -> f32 {
-    var phi_240_: bool;
-    var phi_244_: f32;
-
-    if (param_7 != param_7) {
-        phi_240_ = true;
-    } else {
-        let _e64 = (param_8 <= param_7);
-        if _e64 {
-        }
-        phi_240_ = _e64;
-    }
-    let _e66 = phi_240_;
-    if _e66 {
-        phi_244_ = param_8;
-    } else {
-        phi_244_ = param_7;
-    }
-    let _e68 = phi_244_;
-    return _e68;
+fn _lt_bvh_ray_Ray_new(param_7: vec3<f32>, param_8: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_7, 0f, param_8, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_9: f32, param_10: f32) -> f32 {

@@ -33,6 +33,26 @@ struct type_22 {
     member: array<vec4<f32>>,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_30 {
+    member: array<lt_bvh_Node>,
+}
+
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -42,7 +62,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_27 {
+struct type_34 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -54,7 +74,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_31 {
+struct type_38 {
     member: array<abi_Vertex>,
 }
 
@@ -66,11 +86,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_35 {
+struct type_42 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct lt_bvh_Instance {
@@ -84,32 +117,12 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_45 {
+struct type_55 {
     member: array<lt_bvh_Instance>,
 }
 
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct type_51 {
+struct type_59 {
     member: abi_CameraParams,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_56 {
-    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Ray {
@@ -127,33 +140,21 @@ struct lt_bvh_Hit {
     instance: u32,
 }
 
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_31;
+var<storage> vertices: type_38;
 @group(0) @binding(4) 
-var<storage> materials: type_35;
+var<storage> materials: type_42;
 @group(0) @binding(0) 
-var<uniform> p: type_51;
+var<uniform> p: type_59;
 @group(0) @binding(1) 
-var<storage> nodes: type_56;
+var<storage> nodes: type_30;
 @group(0) @binding(2) 
-var<storage> triangles: type_27;
+var<storage> triangles: type_34;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_45;
+var<storage> instances: type_55;
 @group(0) @binding(7) 
 var<storage> before: type_22;
 @group(0) @binding(8) 
@@ -193,52 +194,52 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e87.root, _e87.first_primitive);
 }
 
-fn _lt_bvh_ray_Ray_new(param_3: vec3<f32>, param_4: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_3, 0f, param_4, 300000000000000000000000000000000000000f);
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_226_: bool;
+    var phi_230_: f32;
+
+    if (param_3 != param_3) {
+        phi_226_ = true;
+    } else {
+        let _e66 = (param_4 >= param_3);
+        if _e66 {
+        }
+        phi_226_ = _e66;
+    }
+    let _e68 = phi_226_;
+    if _e68 {
+        phi_230_ = param_4;
+    } else {
+        phi_230_ = param_3;
+    }
+    let _e70 = phi_230_;
+    return _e70;
 }
 
-fn core_intrinsics_maximum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_230_: bool;
-    var phi_234_: f32;
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_242_: bool;
+    var phi_246_: f32;
 
     if (param_5 != param_5) {
-        phi_230_ = true;
+        phi_242_ = true;
     } else {
-        let _e66 = (param_6 >= param_5);
+        let _e66 = (param_6 <= param_5);
         if _e66 {
         }
-        phi_230_ = _e66;
+        phi_242_ = _e66;
     }
-    let _e68 = phi_230_;
+    let _e68 = phi_242_;
     if _e68 {
-        phi_234_ = param_6;
+        phi_246_ = param_6;
     } else {
-        phi_234_ = param_5;
+        phi_246_ = param_5;
     }
-    let _e70 = phi_234_;
+    let _e70 = phi_246_;
     return _e70;
 }
 
-fn core_intrinsics_minimum_number_nsz_f32_(param_7: f32, param_8: f32) -> f32 {
-    var phi_246_: bool;
-    var phi_250_: f32;
-
-    if (param_7 != param_7) {
-        phi_246_ = true;
-    } else {
-        let _e66 = (param_8 <= param_7);
-        if _e66 {
-        }
-        phi_246_ = _e66;
-    }
-    let _e68 = phi_246_;
-    if _e68 {
-        phi_250_ = param_8;
-    } else {
-        phi_250_ = param_7;
-    }
-    let _e70 = phi_250_;
-    return _e70;
+fn _lt_bvh_ray_Ray_new(param_7: vec3<f32>, param_8: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_7, 0f, param_8, 300000000000000000000000000000000000000f);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_9: f32, param_10: f32) -> f32 {

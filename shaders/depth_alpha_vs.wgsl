@@ -5,18 +5,6 @@ struct lt_math_LightProjection {
     row_w: vec4<f32>,
 }
 
-struct abi_DepthParams {
-    projection: lt_math_LightProjection,
-    map_size: u32,
-    near: f32,
-    pad0_: u32,
-    pad1_: u32,
-}
-
-struct type_10 {
-    member: abi_DepthParams,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -26,8 +14,20 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_14 {
+struct type_11 {
     member: array<lt_bvh_Triangle>,
+}
+
+struct abi_DepthParams {
+    projection: lt_math_LightProjection,
+    map_size: u32,
+    near: f32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_15 {
+    member: abi_DepthParams,
 }
 
 struct VertexOutput {
@@ -36,9 +36,9 @@ struct VertexOutput {
 }
 
 @group(0) @binding(0) 
-var<uniform> p: type_10;
+var<uniform> p: type_15;
 @group(0) @binding(1) 
-var<storage> triangles: type_14;
+var<storage> triangles: type_11;
 var<private> vertex_1: u32;
 var<private> triangle: u32;
 var<private> position: vec4<f32> = vec4<f32>(0f, 0f, 0f, 1f);

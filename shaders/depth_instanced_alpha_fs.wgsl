@@ -1,4 +1,4 @@
-struct type_8 {
+struct type_7 {
     member: array<u32>,
 }
 
@@ -15,18 +15,6 @@ struct lt_math_LightProjection {
     row_w: vec4<f32>,
 }
 
-struct abi_DepthParams {
-    projection: lt_math_LightProjection,
-    map_size: u32,
-    near: f32,
-    pad0_: u32,
-    pad1_: u32,
-}
-
-struct type_19 {
-    member: abi_DepthParams,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -36,7 +24,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_23 {
+struct type_18 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -48,7 +36,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_27 {
+struct type_22 {
     member: array<abi_Vertex>,
 }
 
@@ -60,10 +48,11 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_31 {
+struct type_26 {
     member: array<abi_Material>,
 }
 
@@ -78,6 +67,18 @@ struct texture_Axis {
     fraction: f32,
 }
 
+struct abi_DepthParams {
+    projection: lt_math_LightProjection,
+    map_size: u32,
+    near: f32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_36 {
+    member: abi_DepthParams,
+}
+
 struct lt_bvh_Instance {
     world_to_object: array<vec4<f32>, 3>,
     object_to_world: array<vec4<f32>, 3>,
@@ -89,75 +90,75 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_43 {
+struct type_42 {
     member: array<lt_bvh_Instance>,
 }
 
 var<private> at_1: vec4<f32>;
 var<private> triangle_1: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_19;
+var<uniform> p: type_36;
 @group(0) @binding(1) 
-var<storage> triangles: type_23;
+var<storage> triangles: type_18;
 @group(0) @binding(2) 
-var<storage> instances: type_43;
+var<storage> instances: type_42;
 var<private> placed_1: u32;
 @group(0) @binding(3) 
-var<storage> vertices: type_27;
+var<storage> vertices: type_22;
 @group(0) @binding(4) 
-var<storage> materials: type_31;
+var<storage> materials: type_26;
 @group(0) @binding(5) 
-var<storage> alpha_texels: type_8;
+var<storage> alpha_texels: type_7;
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_158_: f32;
-    var phi_163_: f32;
-    var phi_164_: bool;
-    var phi_165_: f32;
-    var phi_166_: bool;
-    var phi_170_: f32;
-    var phi_196_: f32;
-    var phi_201_: f32;
-    var phi_202_: bool;
-    var phi_203_: f32;
-    var phi_204_: bool;
-    var phi_208_: f32;
+    var phi_157_: f32;
+    var phi_162_: f32;
+    var phi_163_: bool;
+    var phi_164_: f32;
+    var phi_165_: bool;
+    var phi_169_: f32;
+    var phi_195_: f32;
+    var phi_200_: f32;
+    var phi_201_: bool;
+    var phi_202_: f32;
+    var phi_203_: bool;
+    var phi_207_: f32;
+    var phi_215_: f32;
     var phi_216_: f32;
     var phi_217_: f32;
-    var phi_218_: f32;
+    var phi_226_: f32;
     var phi_227_: f32;
-    var phi_228_: f32;
-    var phi_246_: u32;
-    var phi_260_: u32;
-    var phi_267_: u32;
-    var phi_272_: u32;
-    var phi_278_: u32;
-    var phi_283_: u32;
-    var phi_285_: texture_Axis;
-    var phi_313_: f32;
-    var phi_318_: f32;
-    var phi_319_: bool;
-    var phi_320_: f32;
-    var phi_321_: bool;
-    var phi_325_: f32;
-    var phi_351_: f32;
-    var phi_356_: f32;
-    var phi_357_: bool;
-    var phi_358_: f32;
-    var phi_359_: bool;
-    var phi_363_: f32;
+    var phi_245_: u32;
+    var phi_259_: u32;
+    var phi_266_: u32;
+    var phi_271_: u32;
+    var phi_277_: u32;
+    var phi_282_: u32;
+    var phi_284_: texture_Axis;
+    var phi_312_: f32;
+    var phi_317_: f32;
+    var phi_318_: bool;
+    var phi_319_: f32;
+    var phi_320_: bool;
+    var phi_324_: f32;
+    var phi_350_: f32;
+    var phi_355_: f32;
+    var phi_356_: bool;
+    var phi_357_: f32;
+    var phi_358_: bool;
+    var phi_362_: f32;
+    var phi_370_: f32;
     var phi_371_: f32;
     var phi_372_: f32;
-    var phi_373_: f32;
+    var phi_381_: f32;
     var phi_382_: f32;
-    var phi_383_: f32;
-    var phi_401_: u32;
-    var phi_415_: u32;
-    var phi_422_: u32;
-    var phi_427_: u32;
-    var phi_433_: u32;
-    var phi_438_: u32;
-    var phi_440_: texture_Axis;
+    var phi_400_: u32;
+    var phi_414_: u32;
+    var phi_421_: u32;
+    var phi_426_: u32;
+    var phi_432_: u32;
+    var phi_437_: u32;
+    var phi_439_: texture_Axis;
 
     let _e45 = (*param).size;
     let _e46 = (_e45 & 65535u);
@@ -171,286 +172,286 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
         if (param_1 > -8388608f) {
             let _e72 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
             if (_e72 > param_1) {
-                phi_158_ = 1f;
+                phi_157_ = 1f;
             } else {
-                phi_158_ = 0f;
+                phi_157_ = 0f;
             }
-            let _e75 = phi_158_;
+            let _e75 = phi_157_;
             if (param_1 < 8388608f) {
-                phi_163_ = (_e72 - _e75);
-                phi_164_ = false;
+                phi_162_ = (_e72 - _e75);
+                phi_163_ = false;
             } else {
-                phi_163_ = f32();
-                phi_164_ = true;
+                phi_162_ = f32();
+                phi_163_ = true;
             }
-            let _e78 = phi_163_;
-            let _e80 = phi_164_;
-            phi_165_ = _e78;
-            phi_166_ = _e80;
+            let _e78 = phi_162_;
+            let _e80 = phi_163_;
+            phi_164_ = _e78;
+            phi_165_ = _e80;
         } else {
-            phi_165_ = f32();
-            phi_166_ = true;
+            phi_164_ = f32();
+            phi_165_ = true;
         }
-        let _e82 = phi_165_;
-        let _e84 = phi_166_;
+        let _e82 = phi_164_;
+        let _e84 = phi_165_;
         if _e84 {
-            phi_170_ = param_1;
+            phi_169_ = param_1;
         } else {
-            phi_170_ = _e82;
+            phi_169_ = _e82;
         }
-        let _e86 = phi_170_;
-        phi_218_ = (param_1 - _e86);
+        let _e86 = phi_169_;
+        phi_217_ = (param_1 - _e86);
     } else {
         if (_e59 == 1u) {
             let _e89 = (param_1 * 0.5f);
             if (_e89 > -8388608f) {
                 let _e101 = f32(select(0i, select(select(i32(_e89), i32(-2147483648), (_e89 < bitcast<f32>(3472883712u))), 2147483647i, (_e89 > bitcast<f32>(1325400063u))), (_e89 == _e89)));
                 if (_e101 > _e89) {
-                    phi_196_ = 1f;
+                    phi_195_ = 1f;
                 } else {
-                    phi_196_ = 0f;
+                    phi_195_ = 0f;
                 }
-                let _e104 = phi_196_;
+                let _e104 = phi_195_;
                 if (_e89 < 8388608f) {
-                    phi_201_ = (_e101 - _e104);
-                    phi_202_ = false;
+                    phi_200_ = (_e101 - _e104);
+                    phi_201_ = false;
                 } else {
-                    phi_201_ = f32();
-                    phi_202_ = true;
+                    phi_200_ = f32();
+                    phi_201_ = true;
                 }
-                let _e107 = phi_201_;
-                let _e109 = phi_202_;
-                phi_203_ = _e107;
-                phi_204_ = _e109;
+                let _e107 = phi_200_;
+                let _e109 = phi_201_;
+                phi_202_ = _e107;
+                phi_203_ = _e109;
             } else {
-                phi_203_ = f32();
-                phi_204_ = true;
+                phi_202_ = f32();
+                phi_203_ = true;
             }
-            let _e111 = phi_203_;
-            let _e113 = phi_204_;
+            let _e111 = phi_202_;
+            let _e113 = phi_203_;
             if _e113 {
-                phi_208_ = _e89;
+                phi_207_ = _e89;
             } else {
-                phi_208_ = _e111;
+                phi_207_ = _e111;
             }
-            let _e115 = phi_208_;
+            let _e115 = phi_207_;
             let _e117 = (param_1 - (2f * _e115));
             if (_e117 > 1f) {
-                phi_216_ = (2f - _e117);
+                phi_215_ = (2f - _e117);
             } else {
-                phi_216_ = _e117;
+                phi_215_ = _e117;
             }
-            let _e121 = phi_216_;
-            phi_217_ = _e121;
+            let _e121 = phi_215_;
+            phi_216_ = _e121;
         } else {
-            phi_217_ = param_1;
+            phi_216_ = param_1;
         }
-        let _e123 = phi_217_;
-        phi_218_ = _e123;
+        let _e123 = phi_216_;
+        phi_217_ = _e123;
     }
-    let _e125 = phi_218_;
+    let _e125 = phi_217_;
     if (_e125 > 0f) {
         if (_e125 < 1f) {
-            phi_227_ = _e125;
+            phi_226_ = _e125;
         } else {
-            phi_227_ = 1f;
+            phi_226_ = 1f;
         }
-        let _e129 = phi_227_;
-        phi_228_ = _e129;
+        let _e129 = phi_226_;
+        phi_227_ = _e129;
     } else {
-        phi_228_ = 0f;
+        phi_227_ = 0f;
     }
-    let _e131 = phi_228_;
+    let _e131 = phi_227_;
     let _e132 = (_e46 - 1u);
     let _e134 = (_e131 * f32(_e46));
     if _e54 {
         let _e141 = select(select(u32(_e134), 0u, (_e134 < bitcast<f32>(0u))), 4294967295u, (_e134 > bitcast<f32>(1333788671u)));
         if (_e132 < _e141) {
-            phi_246_ = _e132;
+            phi_245_ = _e132;
         } else {
-            phi_246_ = _e141;
+            phi_245_ = _e141;
         }
-        let _e144 = phi_246_;
-        phi_285_ = texture_Axis(_e144, _e144, 0f);
+        let _e144 = phi_245_;
+        phi_284_ = texture_Axis(_e144, _e144, 0f);
     } else {
         let _e146 = (_e134 + 0.5f);
         let _e153 = select(select(u32(_e146), 0u, (_e146 < bitcast<f32>(0u))), 4294967295u, (_e146 > bitcast<f32>(1333788671u)));
         if (_e46 < _e153) {
-            phi_260_ = _e46;
+            phi_259_ = _e46;
         } else {
-            phi_260_ = _e153;
+            phi_259_ = _e153;
         }
-        let _e156 = phi_260_;
+        let _e156 = phi_259_;
         if (_e59 == 0u) {
-            phi_267_ = _e132;
+            phi_266_ = _e132;
         } else {
-            phi_267_ = 0u;
+            phi_266_ = 0u;
         }
-        let _e161 = phi_267_;
+        let _e161 = phi_266_;
         if (_e59 == 0u) {
-            phi_272_ = 0u;
+            phi_271_ = 0u;
         } else {
-            phi_272_ = _e132;
+            phi_271_ = _e132;
         }
-        let _e164 = phi_272_;
+        let _e164 = phi_271_;
         if (_e156 == 0u) {
-            phi_278_ = _e161;
+            phi_277_ = _e161;
         } else {
-            phi_278_ = (_e156 - 1u);
+            phi_277_ = (_e156 - 1u);
         }
-        let _e168 = phi_278_;
+        let _e168 = phi_277_;
         if (_e156 > _e132) {
-            phi_283_ = _e164;
+            phi_282_ = _e164;
         } else {
-            phi_283_ = _e156;
+            phi_282_ = _e156;
         }
-        let _e171 = phi_283_;
-        phi_285_ = texture_Axis(_e168, _e171, (_e146 - f32(_e156)));
+        let _e171 = phi_282_;
+        phi_284_ = texture_Axis(_e168, _e171, (_e146 - f32(_e156)));
     }
-    let _e174 = phi_285_;
+    let _e174 = phi_284_;
     let _e176 = (*param).flags;
     let _e179 = ((_e176 >> bitcast<u32>(6u)) & 3u);
     if (_e179 == 0u) {
         if (param_2 > -8388608f) {
             let _e192 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
             if (_e192 > param_2) {
-                phi_313_ = 1f;
+                phi_312_ = 1f;
             } else {
-                phi_313_ = 0f;
+                phi_312_ = 0f;
             }
-            let _e195 = phi_313_;
+            let _e195 = phi_312_;
             if (param_2 < 8388608f) {
-                phi_318_ = (_e192 - _e195);
-                phi_319_ = false;
+                phi_317_ = (_e192 - _e195);
+                phi_318_ = false;
             } else {
-                phi_318_ = f32();
-                phi_319_ = true;
+                phi_317_ = f32();
+                phi_318_ = true;
             }
-            let _e198 = phi_318_;
-            let _e200 = phi_319_;
-            phi_320_ = _e198;
-            phi_321_ = _e200;
+            let _e198 = phi_317_;
+            let _e200 = phi_318_;
+            phi_319_ = _e198;
+            phi_320_ = _e200;
         } else {
-            phi_320_ = f32();
-            phi_321_ = true;
+            phi_319_ = f32();
+            phi_320_ = true;
         }
-        let _e202 = phi_320_;
-        let _e204 = phi_321_;
+        let _e202 = phi_319_;
+        let _e204 = phi_320_;
         if _e204 {
-            phi_325_ = param_2;
+            phi_324_ = param_2;
         } else {
-            phi_325_ = _e202;
+            phi_324_ = _e202;
         }
-        let _e206 = phi_325_;
-        phi_373_ = (param_2 - _e206);
+        let _e206 = phi_324_;
+        phi_372_ = (param_2 - _e206);
     } else {
         if (_e179 == 1u) {
             let _e209 = (param_2 * 0.5f);
             if (_e209 > -8388608f) {
                 let _e221 = f32(select(0i, select(select(i32(_e209), i32(-2147483648), (_e209 < bitcast<f32>(3472883712u))), 2147483647i, (_e209 > bitcast<f32>(1325400063u))), (_e209 == _e209)));
                 if (_e221 > _e209) {
-                    phi_351_ = 1f;
+                    phi_350_ = 1f;
                 } else {
-                    phi_351_ = 0f;
+                    phi_350_ = 0f;
                 }
-                let _e224 = phi_351_;
+                let _e224 = phi_350_;
                 if (_e209 < 8388608f) {
-                    phi_356_ = (_e221 - _e224);
-                    phi_357_ = false;
+                    phi_355_ = (_e221 - _e224);
+                    phi_356_ = false;
                 } else {
-                    phi_356_ = f32();
-                    phi_357_ = true;
+                    phi_355_ = f32();
+                    phi_356_ = true;
                 }
-                let _e227 = phi_356_;
-                let _e229 = phi_357_;
-                phi_358_ = _e227;
-                phi_359_ = _e229;
+                let _e227 = phi_355_;
+                let _e229 = phi_356_;
+                phi_357_ = _e227;
+                phi_358_ = _e229;
             } else {
-                phi_358_ = f32();
-                phi_359_ = true;
+                phi_357_ = f32();
+                phi_358_ = true;
             }
-            let _e231 = phi_358_;
-            let _e233 = phi_359_;
+            let _e231 = phi_357_;
+            let _e233 = phi_358_;
             if _e233 {
-                phi_363_ = _e209;
+                phi_362_ = _e209;
             } else {
-                phi_363_ = _e231;
+                phi_362_ = _e231;
             }
-            let _e235 = phi_363_;
+            let _e235 = phi_362_;
             let _e237 = (param_2 - (2f * _e235));
             if (_e237 > 1f) {
-                phi_371_ = (2f - _e237);
+                phi_370_ = (2f - _e237);
             } else {
-                phi_371_ = _e237;
+                phi_370_ = _e237;
             }
-            let _e241 = phi_371_;
-            phi_372_ = _e241;
+            let _e241 = phi_370_;
+            phi_371_ = _e241;
         } else {
-            phi_372_ = param_2;
+            phi_371_ = param_2;
         }
-        let _e243 = phi_372_;
-        phi_373_ = _e243;
+        let _e243 = phi_371_;
+        phi_372_ = _e243;
     }
-    let _e245 = phi_373_;
+    let _e245 = phi_372_;
     if (_e245 > 0f) {
         if (_e245 < 1f) {
-            phi_382_ = _e245;
+            phi_381_ = _e245;
         } else {
-            phi_382_ = 1f;
+            phi_381_ = 1f;
         }
-        let _e249 = phi_382_;
-        phi_383_ = _e249;
+        let _e249 = phi_381_;
+        phi_382_ = _e249;
     } else {
-        phi_383_ = 0f;
+        phi_382_ = 0f;
     }
-    let _e251 = phi_383_;
+    let _e251 = phi_382_;
     let _e252 = (_e50 - 1u);
     let _e254 = (_e251 * f32(_e50));
     if _e54 {
         let _e261 = select(select(u32(_e254), 0u, (_e254 < bitcast<f32>(0u))), 4294967295u, (_e254 > bitcast<f32>(1333788671u)));
         if (_e252 < _e261) {
-            phi_401_ = _e252;
+            phi_400_ = _e252;
         } else {
-            phi_401_ = _e261;
+            phi_400_ = _e261;
         }
-        let _e264 = phi_401_;
-        phi_440_ = texture_Axis(_e264, _e264, 0f);
+        let _e264 = phi_400_;
+        phi_439_ = texture_Axis(_e264, _e264, 0f);
     } else {
         let _e266 = (_e254 + 0.5f);
         let _e273 = select(select(u32(_e266), 0u, (_e266 < bitcast<f32>(0u))), 4294967295u, (_e266 > bitcast<f32>(1333788671u)));
         if (_e50 < _e273) {
-            phi_415_ = _e50;
+            phi_414_ = _e50;
         } else {
-            phi_415_ = _e273;
+            phi_414_ = _e273;
         }
-        let _e276 = phi_415_;
+        let _e276 = phi_414_;
         if (_e179 == 0u) {
-            phi_422_ = _e252;
+            phi_421_ = _e252;
         } else {
-            phi_422_ = 0u;
+            phi_421_ = 0u;
         }
-        let _e281 = phi_422_;
+        let _e281 = phi_421_;
         if (_e179 == 0u) {
-            phi_427_ = 0u;
+            phi_426_ = 0u;
         } else {
-            phi_427_ = _e252;
+            phi_426_ = _e252;
         }
-        let _e284 = phi_427_;
+        let _e284 = phi_426_;
         if (_e276 == 0u) {
-            phi_433_ = _e281;
+            phi_432_ = _e281;
         } else {
-            phi_433_ = (_e276 - 1u);
+            phi_432_ = (_e276 - 1u);
         }
-        let _e288 = phi_433_;
+        let _e288 = phi_432_;
         if (_e276 > _e252) {
-            phi_438_ = _e284;
+            phi_437_ = _e284;
         } else {
-            phi_438_ = _e276;
+            phi_437_ = _e276;
         }
-        let _e291 = phi_438_;
-        phi_440_ = texture_Axis(_e288, _e291, (_e266 - f32(_e276)));
+        let _e291 = phi_437_;
+        phi_439_ = texture_Axis(_e288, _e291, (_e266 - f32(_e276)));
     }
-    let _e294 = phi_440_;
+    let _e294 = phi_439_;
     let _e298 = (*param).offset;
     let _e305 = (*param).offset;
     let _e312 = (*param).offset;
@@ -464,16 +465,16 @@ fn spirv_std_arch_kill() {
 
 fn function_() {
     var local: texture_TextureView;
+    var phi_531_: vec3<f32>;
     var phi_532_: vec3<f32>;
-    var phi_533_: vec3<f32>;
+    var phi_630_: vec3<f32>;
     var phi_631_: vec3<f32>;
-    var phi_632_: vec3<f32>;
+    var phi_729_: vec3<f32>;
     var phi_730_: vec3<f32>;
-    var phi_731_: vec3<f32>;
-    var phi_849_: vec3<f32>;
-    var phi_1033_: f32;
+    var phi_848_: vec3<f32>;
+    var phi_1032_: f32;
+    var phi_1036_: bool;
     var phi_1037_: bool;
-    var phi_1038_: bool;
 
     let _e42 = at_1;
     let _e43 = triangle_1;
@@ -491,17 +492,17 @@ fn function_() {
     }
     let _e68 = instances.member[(0u + _e44)];
     if (0u == 0u) {
-        phi_533_ = _e64.v0_;
+        phi_532_ = _e64.v0_;
     } else {
         if (0u == 1u) {
-            phi_532_ = _e64.v1_;
+            phi_531_ = _e64.v1_;
         } else {
-            phi_532_ = _e64.v2_;
+            phi_531_ = _e64.v2_;
         }
-        let _e77 = phi_532_;
-        phi_533_ = _e77;
+        let _e77 = phi_531_;
+        phi_532_ = _e77;
     }
-    let _e79 = phi_533_;
+    let _e79 = phi_532_;
     let _e95 = ((((_e68.object_to_world[0].x * _e79.x) + (_e68.object_to_world[0].y * _e79.y)) + (_e68.object_to_world[0].z * _e79.z)) + (_e68.object_to_world[0].w * 1f));
     let _e108 = ((((_e68.object_to_world[1].x * _e79.x) + (_e68.object_to_world[1].y * _e79.y)) + (_e68.object_to_world[1].z * _e79.z)) + (_e68.object_to_world[1].w * 1f));
     let _e121 = ((((_e68.object_to_world[2].x * _e79.x) + (_e68.object_to_world[2].y * _e79.y)) + (_e68.object_to_world[2].z * _e79.z)) + (_e68.object_to_world[2].w * 1f));
@@ -512,17 +513,17 @@ fn function_() {
     let _e157 = p.member.projection.row_w;
     let _e168 = ((((_e157.x * _e95) + (_e157.y * _e108)) + (_e157.z * _e121)) + (_e157.w * 1f));
     if (1u == 0u) {
-        phi_632_ = _e64.v0_;
+        phi_631_ = _e64.v0_;
     } else {
         if (1u == 1u) {
-            phi_631_ = _e64.v1_;
+            phi_630_ = _e64.v1_;
         } else {
-            phi_631_ = _e64.v2_;
+            phi_630_ = _e64.v2_;
         }
-        let _e175 = phi_631_;
-        phi_632_ = _e175;
+        let _e175 = phi_630_;
+        phi_631_ = _e175;
     }
-    let _e177 = phi_632_;
+    let _e177 = phi_631_;
     let _e193 = ((((_e68.object_to_world[0].x * _e177.x) + (_e68.object_to_world[0].y * _e177.y)) + (_e68.object_to_world[0].z * _e177.z)) + (_e68.object_to_world[0].w * 1f));
     let _e206 = ((((_e68.object_to_world[1].x * _e177.x) + (_e68.object_to_world[1].y * _e177.y)) + (_e68.object_to_world[1].z * _e177.z)) + (_e68.object_to_world[1].w * 1f));
     let _e219 = ((((_e68.object_to_world[2].x * _e177.x) + (_e68.object_to_world[2].y * _e177.y)) + (_e68.object_to_world[2].z * _e177.z)) + (_e68.object_to_world[2].w * 1f));
@@ -533,17 +534,17 @@ fn function_() {
     let _e255 = p.member.projection.row_w;
     let _e266 = ((((_e255.x * _e193) + (_e255.y * _e206)) + (_e255.z * _e219)) + (_e255.w * 1f));
     if (2u == 0u) {
-        phi_731_ = _e64.v0_;
+        phi_730_ = _e64.v0_;
     } else {
         if (2u == 1u) {
-            phi_730_ = _e64.v1_;
+            phi_729_ = _e64.v1_;
         } else {
-            phi_730_ = _e64.v2_;
+            phi_729_ = _e64.v2_;
         }
-        let _e273 = phi_730_;
-        phi_731_ = _e273;
+        let _e273 = phi_729_;
+        phi_730_ = _e273;
     }
-    let _e275 = phi_731_;
+    let _e275 = phi_730_;
     let _e291 = ((((_e68.object_to_world[0].x * _e275.x) + (_e68.object_to_world[0].y * _e275.y)) + (_e68.object_to_world[0].z * _e275.z)) + (_e68.object_to_world[0].w * 1f));
     let _e304 = ((((_e68.object_to_world[1].x * _e275.x) + (_e68.object_to_world[1].y * _e275.y)) + (_e68.object_to_world[1].z * _e275.z)) + (_e68.object_to_world[1].w * 1f));
     let _e317 = ((((_e68.object_to_world[2].x * _e275.x) + (_e68.object_to_world[2].y * _e275.y)) + (_e68.object_to_world[2].z * _e275.z)) + (_e68.object_to_world[2].w * 1f));
@@ -564,11 +565,11 @@ fn function_() {
     let _e385 = ((_e371 * _e368) - (_e372 * _e367));
     let _e387 = ((_e379 + _e382) + _e385);
     if (_e387 == 0f) {
-        phi_849_ = vec3<f32>(1f, 0f, 0f);
+        phi_848_ = vec3<f32>(1f, 0f, 0f);
     } else {
-        phi_849_ = vec3<f32>((_e379 / _e387), (_e382 / _e387), (_e385 / _e387));
+        phi_848_ = vec3<f32>((_e379 / _e387), (_e382 / _e387), (_e385 / _e387));
     }
-    let _e394 = phi_849_;
+    let _e394 = phi_848_;
     let _e396 = (_e64.i0_ & 2147483647u);
     if (_e396 < _e54) {
     } else {
@@ -592,17 +593,17 @@ fn function_() {
     }
     let _e418 = materials.member[(0u + _e411[0].material)].flags;
     if ((_e418 & 1u) == 0u) {
-        phi_1038_ = false;
+        phi_1037_ = false;
     } else {
         let _e422 = materials.member[(0u + _e411[0].material)].cutoff;
         if (_e422 <= 0f) {
-            phi_1037_ = true;
+            phi_1036_ = true;
         } else {
             let _e426 = materials.member[(0u + _e411[0].material)].base_color[3u];
             let _e452 = (_e426 * ((((f32((_e411[0].color >> bitcast<u32>(24i))) * _e394.x) + (f32((_e411[1].color >> bitcast<u32>(24i))) * _e394.y)) + (f32((_e411[2].color >> bitcast<u32>(24i))) * _e394.z)) * (1f / 255f)));
             let _e454 = materials.member[(0u + _e411[0].material)].alpha_size;
             if (_e454 == 0u) {
-                phi_1033_ = _e452;
+                phi_1032_ = _e452;
             } else {
                 let _e457 = materials.member[(0u + _e411[0].material)].alpha_offset;
                 let _e459 = materials.member[(0u + _e411[0].material)].alpha_size;
@@ -635,16 +636,16 @@ fn function_() {
                     return;
                 }
                 let _e560 = alpha_texels.member[(0u + _e556)];
-                phi_1033_ = (_e452 * (((((f32(((_e498 >> bitcast<u32>((((_e490.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.x) + ((f32(((_e518 >> bitcast<u32>((((_e490.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.y)) + ((f32(((_e539 >> bitcast<u32>((((_e490.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.z)) + ((f32(((_e560 >> bitcast<u32>((((_e490.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.w)));
+                phi_1032_ = (_e452 * (((((f32(((_e498 >> bitcast<u32>((((_e490.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.x) + ((f32(((_e518 >> bitcast<u32>((((_e490.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.y)) + ((f32(((_e539 >> bitcast<u32>((((_e490.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.z)) + ((f32(((_e560 >> bitcast<u32>((((_e490.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.w)));
             }
-            let _e576 = phi_1033_;
+            let _e576 = phi_1032_;
             let _e578 = materials.member[(0u + _e411[0].material)].cutoff;
-            phi_1037_ = (_e576 >= _e578);
+            phi_1036_ = (_e576 >= _e578);
         }
-        let _e581 = phi_1037_;
-        phi_1038_ = _e581;
+        let _e581 = phi_1036_;
+        phi_1037_ = _e581;
     }
-    let _e583 = phi_1038_;
+    let _e583 = phi_1037_;
     if _e583 {
     } else {
         spirv_std_arch_kill();

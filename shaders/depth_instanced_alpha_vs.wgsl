@@ -5,18 +5,6 @@ struct lt_math_LightProjection {
     row_w: vec4<f32>,
 }
 
-struct abi_DepthParams {
-    projection: lt_math_LightProjection,
-    map_size: u32,
-    near: f32,
-    pad0_: u32,
-    pad1_: u32,
-}
-
-struct type_11 {
-    member: abi_DepthParams,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -26,8 +14,20 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_15 {
+struct type_12 {
     member: array<lt_bvh_Triangle>,
+}
+
+struct abi_DepthParams {
+    projection: lt_math_LightProjection,
+    map_size: u32,
+    near: f32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_16 {
+    member: abi_DepthParams,
 }
 
 struct lt_bvh_Instance {
@@ -52,9 +52,9 @@ struct VertexOutput {
 }
 
 @group(0) @binding(0) 
-var<uniform> p: type_11;
+var<uniform> p: type_16;
 @group(0) @binding(1) 
-var<storage> triangles: type_15;
+var<storage> triangles: type_12;
 var<private> vertex_1: u32;
 var<private> triangle: u32;
 var<private> position: vec4<f32> = vec4<f32>(0f, 0f, 0f, 1f);

@@ -5,18 +5,6 @@ struct lt_math_LightProjection {
     row_w: vec4<f32>,
 }
 
-struct abi_DepthParams {
-    projection: lt_math_LightProjection,
-    map_size: u32,
-    near: f32,
-    pad0_: u32,
-    pad1_: u32,
-}
-
-struct type_10 {
-    member: abi_DepthParams,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -26,16 +14,28 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_14 {
+struct type_10 {
     member: array<lt_bvh_Triangle>,
+}
+
+struct abi_DepthParams {
+    projection: lt_math_LightProjection,
+    map_size: u32,
+    near: f32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_15 {
+    member: abi_DepthParams,
 }
 
 var<private> at_1: vec4<f32>;
 var<private> triangle_1: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_10;
+var<uniform> p: type_15;
 @group(0) @binding(1) 
-var<storage> triangles: type_14;
+var<storage> triangles: type_10;
 var<private> depth: f32 = 0f;
 
 fn lt_shaders_depth_depth_at_u007b_closure_u0023_1_u007d(param: f32, param_1: f32) -> f32 {

@@ -1,4 +1,4 @@
-struct type_8 {
+struct type_7 {
     member: array<u32>,
 }
 
@@ -15,18 +15,6 @@ struct lt_math_LightProjection {
     row_w: vec4<f32>,
 }
 
-struct abi_DepthParams {
-    projection: lt_math_LightProjection,
-    map_size: u32,
-    near: f32,
-    pad0_: u32,
-    pad1_: u32,
-}
-
-struct type_19 {
-    member: abi_DepthParams,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -36,7 +24,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_23 {
+struct type_18 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -48,7 +36,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_27 {
+struct type_22 {
     member: array<abi_Vertex>,
 }
 
@@ -60,10 +48,11 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_31 {
+struct type_26 {
     member: array<abi_Material>,
 }
 
@@ -78,6 +67,18 @@ struct texture_Axis {
     fraction: f32,
 }
 
+struct abi_DepthParams {
+    projection: lt_math_LightProjection,
+    map_size: u32,
+    near: f32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_36 {
+    member: abi_DepthParams,
+}
+
 struct lt_bvh_Instance {
     world_to_object: array<vec4<f32>, 3>,
     object_to_world: array<vec4<f32>, 3>,
@@ -89,76 +90,76 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_43 {
+struct type_42 {
     member: array<lt_bvh_Instance>,
 }
 
 var<private> at_1: vec4<f32>;
 var<private> triangle_1: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_19;
+var<uniform> p: type_36;
 @group(0) @binding(1) 
-var<storage> triangles: type_23;
+var<storage> triangles: type_18;
 @group(0) @binding(2) 
-var<storage> instances: type_43;
+var<storage> instances: type_42;
 var<private> depth: f32 = 0f;
 var<private> placed_1: u32;
 @group(0) @binding(3) 
-var<storage> vertices: type_27;
+var<storage> vertices: type_22;
 @group(0) @binding(4) 
-var<storage> materials: type_31;
+var<storage> materials: type_26;
 @group(0) @binding(5) 
-var<storage> alpha_texels: type_8;
+var<storage> alpha_texels: type_7;
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_163_: f32;
-    var phi_168_: f32;
-    var phi_169_: bool;
-    var phi_170_: f32;
-    var phi_171_: bool;
-    var phi_175_: f32;
-    var phi_201_: f32;
-    var phi_206_: f32;
-    var phi_207_: bool;
-    var phi_208_: f32;
-    var phi_209_: bool;
-    var phi_213_: f32;
+    var phi_162_: f32;
+    var phi_167_: f32;
+    var phi_168_: bool;
+    var phi_169_: f32;
+    var phi_170_: bool;
+    var phi_174_: f32;
+    var phi_200_: f32;
+    var phi_205_: f32;
+    var phi_206_: bool;
+    var phi_207_: f32;
+    var phi_208_: bool;
+    var phi_212_: f32;
+    var phi_220_: f32;
     var phi_221_: f32;
     var phi_222_: f32;
-    var phi_223_: f32;
+    var phi_231_: f32;
     var phi_232_: f32;
-    var phi_233_: f32;
-    var phi_251_: u32;
-    var phi_265_: u32;
-    var phi_272_: u32;
-    var phi_277_: u32;
-    var phi_283_: u32;
-    var phi_288_: u32;
-    var phi_290_: texture_Axis;
-    var phi_318_: f32;
-    var phi_323_: f32;
-    var phi_324_: bool;
-    var phi_325_: f32;
-    var phi_326_: bool;
-    var phi_330_: f32;
-    var phi_356_: f32;
-    var phi_361_: f32;
-    var phi_362_: bool;
-    var phi_363_: f32;
-    var phi_364_: bool;
-    var phi_368_: f32;
+    var phi_250_: u32;
+    var phi_264_: u32;
+    var phi_271_: u32;
+    var phi_276_: u32;
+    var phi_282_: u32;
+    var phi_287_: u32;
+    var phi_289_: texture_Axis;
+    var phi_317_: f32;
+    var phi_322_: f32;
+    var phi_323_: bool;
+    var phi_324_: f32;
+    var phi_325_: bool;
+    var phi_329_: f32;
+    var phi_355_: f32;
+    var phi_360_: f32;
+    var phi_361_: bool;
+    var phi_362_: f32;
+    var phi_363_: bool;
+    var phi_367_: f32;
+    var phi_375_: f32;
     var phi_376_: f32;
     var phi_377_: f32;
-    var phi_378_: f32;
+    var phi_386_: f32;
     var phi_387_: f32;
-    var phi_388_: f32;
-    var phi_406_: u32;
-    var phi_420_: u32;
-    var phi_427_: u32;
-    var phi_432_: u32;
-    var phi_438_: u32;
-    var phi_443_: u32;
-    var phi_445_: texture_Axis;
+    var phi_405_: u32;
+    var phi_419_: u32;
+    var phi_426_: u32;
+    var phi_431_: u32;
+    var phi_437_: u32;
+    var phi_442_: u32;
+    var phi_444_: texture_Axis;
 
     let _e46 = (*param).size;
     let _e47 = (_e46 & 65535u);
@@ -172,286 +173,286 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
         if (param_1 > -8388608f) {
             let _e73 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
             if (_e73 > param_1) {
-                phi_163_ = 1f;
+                phi_162_ = 1f;
             } else {
-                phi_163_ = 0f;
+                phi_162_ = 0f;
             }
-            let _e76 = phi_163_;
+            let _e76 = phi_162_;
             if (param_1 < 8388608f) {
-                phi_168_ = (_e73 - _e76);
-                phi_169_ = false;
+                phi_167_ = (_e73 - _e76);
+                phi_168_ = false;
             } else {
-                phi_168_ = f32();
-                phi_169_ = true;
+                phi_167_ = f32();
+                phi_168_ = true;
             }
-            let _e79 = phi_168_;
-            let _e81 = phi_169_;
-            phi_170_ = _e79;
-            phi_171_ = _e81;
+            let _e79 = phi_167_;
+            let _e81 = phi_168_;
+            phi_169_ = _e79;
+            phi_170_ = _e81;
         } else {
-            phi_170_ = f32();
-            phi_171_ = true;
+            phi_169_ = f32();
+            phi_170_ = true;
         }
-        let _e83 = phi_170_;
-        let _e85 = phi_171_;
+        let _e83 = phi_169_;
+        let _e85 = phi_170_;
         if _e85 {
-            phi_175_ = param_1;
+            phi_174_ = param_1;
         } else {
-            phi_175_ = _e83;
+            phi_174_ = _e83;
         }
-        let _e87 = phi_175_;
-        phi_223_ = (param_1 - _e87);
+        let _e87 = phi_174_;
+        phi_222_ = (param_1 - _e87);
     } else {
         if (_e60 == 1u) {
             let _e90 = (param_1 * 0.5f);
             if (_e90 > -8388608f) {
                 let _e102 = f32(select(0i, select(select(i32(_e90), i32(-2147483648), (_e90 < bitcast<f32>(3472883712u))), 2147483647i, (_e90 > bitcast<f32>(1325400063u))), (_e90 == _e90)));
                 if (_e102 > _e90) {
-                    phi_201_ = 1f;
+                    phi_200_ = 1f;
                 } else {
-                    phi_201_ = 0f;
+                    phi_200_ = 0f;
                 }
-                let _e105 = phi_201_;
+                let _e105 = phi_200_;
                 if (_e90 < 8388608f) {
-                    phi_206_ = (_e102 - _e105);
-                    phi_207_ = false;
+                    phi_205_ = (_e102 - _e105);
+                    phi_206_ = false;
                 } else {
-                    phi_206_ = f32();
-                    phi_207_ = true;
+                    phi_205_ = f32();
+                    phi_206_ = true;
                 }
-                let _e108 = phi_206_;
-                let _e110 = phi_207_;
-                phi_208_ = _e108;
-                phi_209_ = _e110;
+                let _e108 = phi_205_;
+                let _e110 = phi_206_;
+                phi_207_ = _e108;
+                phi_208_ = _e110;
             } else {
-                phi_208_ = f32();
-                phi_209_ = true;
+                phi_207_ = f32();
+                phi_208_ = true;
             }
-            let _e112 = phi_208_;
-            let _e114 = phi_209_;
+            let _e112 = phi_207_;
+            let _e114 = phi_208_;
             if _e114 {
-                phi_213_ = _e90;
+                phi_212_ = _e90;
             } else {
-                phi_213_ = _e112;
+                phi_212_ = _e112;
             }
-            let _e116 = phi_213_;
+            let _e116 = phi_212_;
             let _e118 = (param_1 - (2f * _e116));
             if (_e118 > 1f) {
-                phi_221_ = (2f - _e118);
+                phi_220_ = (2f - _e118);
             } else {
-                phi_221_ = _e118;
+                phi_220_ = _e118;
             }
-            let _e122 = phi_221_;
-            phi_222_ = _e122;
+            let _e122 = phi_220_;
+            phi_221_ = _e122;
         } else {
-            phi_222_ = param_1;
+            phi_221_ = param_1;
         }
-        let _e124 = phi_222_;
-        phi_223_ = _e124;
+        let _e124 = phi_221_;
+        phi_222_ = _e124;
     }
-    let _e126 = phi_223_;
+    let _e126 = phi_222_;
     if (_e126 > 0f) {
         if (_e126 < 1f) {
-            phi_232_ = _e126;
+            phi_231_ = _e126;
         } else {
-            phi_232_ = 1f;
+            phi_231_ = 1f;
         }
-        let _e130 = phi_232_;
-        phi_233_ = _e130;
+        let _e130 = phi_231_;
+        phi_232_ = _e130;
     } else {
-        phi_233_ = 0f;
+        phi_232_ = 0f;
     }
-    let _e132 = phi_233_;
+    let _e132 = phi_232_;
     let _e133 = (_e47 - 1u);
     let _e135 = (_e132 * f32(_e47));
     if _e55 {
         let _e142 = select(select(u32(_e135), 0u, (_e135 < bitcast<f32>(0u))), 4294967295u, (_e135 > bitcast<f32>(1333788671u)));
         if (_e133 < _e142) {
-            phi_251_ = _e133;
+            phi_250_ = _e133;
         } else {
-            phi_251_ = _e142;
+            phi_250_ = _e142;
         }
-        let _e145 = phi_251_;
-        phi_290_ = texture_Axis(_e145, _e145, 0f);
+        let _e145 = phi_250_;
+        phi_289_ = texture_Axis(_e145, _e145, 0f);
     } else {
         let _e147 = (_e135 + 0.5f);
         let _e154 = select(select(u32(_e147), 0u, (_e147 < bitcast<f32>(0u))), 4294967295u, (_e147 > bitcast<f32>(1333788671u)));
         if (_e47 < _e154) {
-            phi_265_ = _e47;
+            phi_264_ = _e47;
         } else {
-            phi_265_ = _e154;
+            phi_264_ = _e154;
         }
-        let _e157 = phi_265_;
+        let _e157 = phi_264_;
         if (_e60 == 0u) {
-            phi_272_ = _e133;
+            phi_271_ = _e133;
         } else {
-            phi_272_ = 0u;
+            phi_271_ = 0u;
         }
-        let _e162 = phi_272_;
+        let _e162 = phi_271_;
         if (_e60 == 0u) {
-            phi_277_ = 0u;
+            phi_276_ = 0u;
         } else {
-            phi_277_ = _e133;
+            phi_276_ = _e133;
         }
-        let _e165 = phi_277_;
+        let _e165 = phi_276_;
         if (_e157 == 0u) {
-            phi_283_ = _e162;
+            phi_282_ = _e162;
         } else {
-            phi_283_ = (_e157 - 1u);
+            phi_282_ = (_e157 - 1u);
         }
-        let _e169 = phi_283_;
+        let _e169 = phi_282_;
         if (_e157 > _e133) {
-            phi_288_ = _e165;
+            phi_287_ = _e165;
         } else {
-            phi_288_ = _e157;
+            phi_287_ = _e157;
         }
-        let _e172 = phi_288_;
-        phi_290_ = texture_Axis(_e169, _e172, (_e147 - f32(_e157)));
+        let _e172 = phi_287_;
+        phi_289_ = texture_Axis(_e169, _e172, (_e147 - f32(_e157)));
     }
-    let _e175 = phi_290_;
+    let _e175 = phi_289_;
     let _e177 = (*param).flags;
     let _e180 = ((_e177 >> bitcast<u32>(6u)) & 3u);
     if (_e180 == 0u) {
         if (param_2 > -8388608f) {
             let _e193 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
             if (_e193 > param_2) {
-                phi_318_ = 1f;
+                phi_317_ = 1f;
             } else {
-                phi_318_ = 0f;
+                phi_317_ = 0f;
             }
-            let _e196 = phi_318_;
+            let _e196 = phi_317_;
             if (param_2 < 8388608f) {
-                phi_323_ = (_e193 - _e196);
-                phi_324_ = false;
+                phi_322_ = (_e193 - _e196);
+                phi_323_ = false;
             } else {
-                phi_323_ = f32();
-                phi_324_ = true;
+                phi_322_ = f32();
+                phi_323_ = true;
             }
-            let _e199 = phi_323_;
-            let _e201 = phi_324_;
-            phi_325_ = _e199;
-            phi_326_ = _e201;
+            let _e199 = phi_322_;
+            let _e201 = phi_323_;
+            phi_324_ = _e199;
+            phi_325_ = _e201;
         } else {
-            phi_325_ = f32();
-            phi_326_ = true;
+            phi_324_ = f32();
+            phi_325_ = true;
         }
-        let _e203 = phi_325_;
-        let _e205 = phi_326_;
+        let _e203 = phi_324_;
+        let _e205 = phi_325_;
         if _e205 {
-            phi_330_ = param_2;
+            phi_329_ = param_2;
         } else {
-            phi_330_ = _e203;
+            phi_329_ = _e203;
         }
-        let _e207 = phi_330_;
-        phi_378_ = (param_2 - _e207);
+        let _e207 = phi_329_;
+        phi_377_ = (param_2 - _e207);
     } else {
         if (_e180 == 1u) {
             let _e210 = (param_2 * 0.5f);
             if (_e210 > -8388608f) {
                 let _e222 = f32(select(0i, select(select(i32(_e210), i32(-2147483648), (_e210 < bitcast<f32>(3472883712u))), 2147483647i, (_e210 > bitcast<f32>(1325400063u))), (_e210 == _e210)));
                 if (_e222 > _e210) {
-                    phi_356_ = 1f;
+                    phi_355_ = 1f;
                 } else {
-                    phi_356_ = 0f;
+                    phi_355_ = 0f;
                 }
-                let _e225 = phi_356_;
+                let _e225 = phi_355_;
                 if (_e210 < 8388608f) {
-                    phi_361_ = (_e222 - _e225);
-                    phi_362_ = false;
+                    phi_360_ = (_e222 - _e225);
+                    phi_361_ = false;
                 } else {
-                    phi_361_ = f32();
-                    phi_362_ = true;
+                    phi_360_ = f32();
+                    phi_361_ = true;
                 }
-                let _e228 = phi_361_;
-                let _e230 = phi_362_;
-                phi_363_ = _e228;
-                phi_364_ = _e230;
+                let _e228 = phi_360_;
+                let _e230 = phi_361_;
+                phi_362_ = _e228;
+                phi_363_ = _e230;
             } else {
-                phi_363_ = f32();
-                phi_364_ = true;
+                phi_362_ = f32();
+                phi_363_ = true;
             }
-            let _e232 = phi_363_;
-            let _e234 = phi_364_;
+            let _e232 = phi_362_;
+            let _e234 = phi_363_;
             if _e234 {
-                phi_368_ = _e210;
+                phi_367_ = _e210;
             } else {
-                phi_368_ = _e232;
+                phi_367_ = _e232;
             }
-            let _e236 = phi_368_;
+            let _e236 = phi_367_;
             let _e238 = (param_2 - (2f * _e236));
             if (_e238 > 1f) {
-                phi_376_ = (2f - _e238);
+                phi_375_ = (2f - _e238);
             } else {
-                phi_376_ = _e238;
+                phi_375_ = _e238;
             }
-            let _e242 = phi_376_;
-            phi_377_ = _e242;
+            let _e242 = phi_375_;
+            phi_376_ = _e242;
         } else {
-            phi_377_ = param_2;
+            phi_376_ = param_2;
         }
-        let _e244 = phi_377_;
-        phi_378_ = _e244;
+        let _e244 = phi_376_;
+        phi_377_ = _e244;
     }
-    let _e246 = phi_378_;
+    let _e246 = phi_377_;
     if (_e246 > 0f) {
         if (_e246 < 1f) {
-            phi_387_ = _e246;
+            phi_386_ = _e246;
         } else {
-            phi_387_ = 1f;
+            phi_386_ = 1f;
         }
-        let _e250 = phi_387_;
-        phi_388_ = _e250;
+        let _e250 = phi_386_;
+        phi_387_ = _e250;
     } else {
-        phi_388_ = 0f;
+        phi_387_ = 0f;
     }
-    let _e252 = phi_388_;
+    let _e252 = phi_387_;
     let _e253 = (_e51 - 1u);
     let _e255 = (_e252 * f32(_e51));
     if _e55 {
         let _e262 = select(select(u32(_e255), 0u, (_e255 < bitcast<f32>(0u))), 4294967295u, (_e255 > bitcast<f32>(1333788671u)));
         if (_e253 < _e262) {
-            phi_406_ = _e253;
+            phi_405_ = _e253;
         } else {
-            phi_406_ = _e262;
+            phi_405_ = _e262;
         }
-        let _e265 = phi_406_;
-        phi_445_ = texture_Axis(_e265, _e265, 0f);
+        let _e265 = phi_405_;
+        phi_444_ = texture_Axis(_e265, _e265, 0f);
     } else {
         let _e267 = (_e255 + 0.5f);
         let _e274 = select(select(u32(_e267), 0u, (_e267 < bitcast<f32>(0u))), 4294967295u, (_e267 > bitcast<f32>(1333788671u)));
         if (_e51 < _e274) {
-            phi_420_ = _e51;
+            phi_419_ = _e51;
         } else {
-            phi_420_ = _e274;
+            phi_419_ = _e274;
         }
-        let _e277 = phi_420_;
+        let _e277 = phi_419_;
         if (_e180 == 0u) {
-            phi_427_ = _e253;
+            phi_426_ = _e253;
         } else {
-            phi_427_ = 0u;
+            phi_426_ = 0u;
         }
-        let _e282 = phi_427_;
+        let _e282 = phi_426_;
         if (_e180 == 0u) {
-            phi_432_ = 0u;
+            phi_431_ = 0u;
         } else {
-            phi_432_ = _e253;
+            phi_431_ = _e253;
         }
-        let _e285 = phi_432_;
+        let _e285 = phi_431_;
         if (_e277 == 0u) {
-            phi_438_ = _e282;
+            phi_437_ = _e282;
         } else {
-            phi_438_ = (_e277 - 1u);
+            phi_437_ = (_e277 - 1u);
         }
-        let _e289 = phi_438_;
+        let _e289 = phi_437_;
         if (_e277 > _e253) {
-            phi_443_ = _e285;
+            phi_442_ = _e285;
         } else {
-            phi_443_ = _e277;
+            phi_442_ = _e277;
         }
-        let _e292 = phi_443_;
-        phi_445_ = texture_Axis(_e289, _e292, (_e267 - f32(_e277)));
+        let _e292 = phi_442_;
+        phi_444_ = texture_Axis(_e289, _e292, (_e267 - f32(_e277)));
     }
-    let _e295 = phi_445_;
+    let _e295 = phi_444_;
     let _e299 = (*param).offset;
     let _e306 = (*param).offset;
     let _e313 = (*param).offset;
@@ -464,44 +465,44 @@ fn spirv_std_arch_kill() {
 }
 
 fn lt_shaders_depth_depth_at_u007b_closure_u0023_0_u007d(param_3: f32, param_4: f32) -> f32 {
-    var phi_501_: f32;
+    var phi_500_: f32;
 
     if (param_3 < param_4) {
-        phi_501_ = param_3;
+        phi_500_ = param_3;
     } else {
-        phi_501_ = param_4;
+        phi_500_ = param_4;
     }
-    let _e46 = phi_501_;
+    let _e46 = phi_500_;
     return _e46;
 }
 
 fn lt_shaders_depth_depth_at_u007b_closure_u0023_1_u007d(param_5: f32, param_6: f32) -> f32 {
-    var phi_509_: f32;
+    var phi_508_: f32;
 
     if (param_5 > param_6) {
-        phi_509_ = param_5;
+        phi_508_ = param_5;
     } else {
-        phi_509_ = param_6;
+        phi_508_ = param_6;
     }
-    let _e46 = phi_509_;
+    let _e46 = phi_508_;
     return _e46;
 }
 
 fn function_() {
     var local: texture_TextureView;
+    var phi_550_: vec3<f32>;
     var phi_551_: vec3<f32>;
-    var phi_552_: vec3<f32>;
+    var phi_660_: vec3<f32>;
     var phi_661_: vec3<f32>;
-    var phi_662_: vec3<f32>;
+    var phi_770_: vec3<f32>;
     var phi_771_: vec3<f32>;
-    var phi_772_: vec3<f32>;
-    var phi_903_: vec3<f32>;
-    var phi_1087_: f32;
+    var phi_902_: vec3<f32>;
+    var phi_1086_: f32;
+    var phi_1090_: bool;
     var phi_1091_: bool;
-    var phi_1092_: bool;
-    var phi_1130_: vec3<f32>;
+    var phi_1129_: vec3<f32>;
+    var phi_1152_: f32;
     var phi_1153_: f32;
-    var phi_1154_: f32;
 
     let _e43 = at_1;
     let _e44 = triangle_1;
@@ -519,17 +520,17 @@ fn function_() {
     }
     let _e69 = instances.member[(0u + _e45)];
     if (0u == 0u) {
-        phi_552_ = _e65.v0_;
+        phi_551_ = _e65.v0_;
     } else {
         if (0u == 1u) {
-            phi_551_ = _e65.v1_;
+            phi_550_ = _e65.v1_;
         } else {
-            phi_551_ = _e65.v2_;
+            phi_550_ = _e65.v2_;
         }
-        let _e76 = phi_551_;
-        phi_552_ = _e76;
+        let _e76 = phi_550_;
+        phi_551_ = _e76;
     }
-    let _e78 = phi_552_;
+    let _e78 = phi_551_;
     let _e94 = ((((_e69.object_to_world[0].x * _e78.x) + (_e69.object_to_world[0].y * _e78.y)) + (_e69.object_to_world[0].z * _e78.z)) + (_e69.object_to_world[0].w * 1f));
     let _e107 = ((((_e69.object_to_world[1].x * _e78.x) + (_e69.object_to_world[1].y * _e78.y)) + (_e69.object_to_world[1].z * _e78.z)) + (_e69.object_to_world[1].w * 1f));
     let _e120 = ((((_e69.object_to_world[2].x * _e78.x) + (_e69.object_to_world[2].y * _e78.y)) + (_e69.object_to_world[2].z * _e78.z)) + (_e69.object_to_world[2].w * 1f));
@@ -544,17 +545,17 @@ fn function_() {
     let _e167 = p.member.projection.row_w;
     let _e178 = ((((_e167.x * _e94) + (_e167.y * _e107)) + (_e167.z * _e120)) + (_e167.w * 1f));
     if (1u == 0u) {
-        phi_662_ = _e65.v0_;
+        phi_661_ = _e65.v0_;
     } else {
         if (1u == 1u) {
-            phi_661_ = _e65.v1_;
+            phi_660_ = _e65.v1_;
         } else {
-            phi_661_ = _e65.v2_;
+            phi_660_ = _e65.v2_;
         }
-        let _e185 = phi_661_;
-        phi_662_ = _e185;
+        let _e185 = phi_660_;
+        phi_661_ = _e185;
     }
-    let _e187 = phi_662_;
+    let _e187 = phi_661_;
     let _e203 = ((((_e69.object_to_world[0].x * _e187.x) + (_e69.object_to_world[0].y * _e187.y)) + (_e69.object_to_world[0].z * _e187.z)) + (_e69.object_to_world[0].w * 1f));
     let _e216 = ((((_e69.object_to_world[1].x * _e187.x) + (_e69.object_to_world[1].y * _e187.y)) + (_e69.object_to_world[1].z * _e187.z)) + (_e69.object_to_world[1].w * 1f));
     let _e229 = ((((_e69.object_to_world[2].x * _e187.x) + (_e69.object_to_world[2].y * _e187.y)) + (_e69.object_to_world[2].z * _e187.z)) + (_e69.object_to_world[2].w * 1f));
@@ -569,17 +570,17 @@ fn function_() {
     let _e276 = p.member.projection.row_w;
     let _e287 = ((((_e276.x * _e203) + (_e276.y * _e216)) + (_e276.z * _e229)) + (_e276.w * 1f));
     if (2u == 0u) {
-        phi_772_ = _e65.v0_;
+        phi_771_ = _e65.v0_;
     } else {
         if (2u == 1u) {
-            phi_771_ = _e65.v1_;
+            phi_770_ = _e65.v1_;
         } else {
-            phi_771_ = _e65.v2_;
+            phi_770_ = _e65.v2_;
         }
-        let _e294 = phi_771_;
-        phi_772_ = _e294;
+        let _e294 = phi_770_;
+        phi_771_ = _e294;
     }
-    let _e296 = phi_772_;
+    let _e296 = phi_771_;
     let _e312 = ((((_e69.object_to_world[0].x * _e296.x) + (_e69.object_to_world[0].y * _e296.y)) + (_e69.object_to_world[0].z * _e296.z)) + (_e69.object_to_world[0].w * 1f));
     let _e325 = ((((_e69.object_to_world[1].x * _e296.x) + (_e69.object_to_world[1].y * _e296.y)) + (_e69.object_to_world[1].z * _e296.z)) + (_e69.object_to_world[1].w * 1f));
     let _e338 = ((((_e69.object_to_world[2].x * _e296.x) + (_e69.object_to_world[2].y * _e296.y)) + (_e69.object_to_world[2].z * _e296.z)) + (_e69.object_to_world[2].w * 1f));
@@ -604,11 +605,11 @@ fn function_() {
     let _e419 = ((_e405 * _e402) - (_e406 * _e401));
     let _e421 = ((_e413 + _e416) + _e419);
     if (_e421 == 0f) {
-        phi_903_ = vec3<f32>(1f, 0f, 0f);
+        phi_902_ = vec3<f32>(1f, 0f, 0f);
     } else {
-        phi_903_ = vec3<f32>((_e413 / _e421), (_e416 / _e421), (_e419 / _e421));
+        phi_902_ = vec3<f32>((_e413 / _e421), (_e416 / _e421), (_e419 / _e421));
     }
-    let _e428 = phi_903_;
+    let _e428 = phi_902_;
     let _e430 = (_e65.i0_ & 2147483647u);
     if (_e430 < _e55) {
     } else {
@@ -632,17 +633,17 @@ fn function_() {
     }
     let _e452 = materials.member[(0u + _e445[0].material)].flags;
     if ((_e452 & 1u) == 0u) {
-        phi_1092_ = false;
+        phi_1091_ = false;
     } else {
         let _e456 = materials.member[(0u + _e445[0].material)].cutoff;
         if (_e456 <= 0f) {
-            phi_1091_ = true;
+            phi_1090_ = true;
         } else {
             let _e460 = materials.member[(0u + _e445[0].material)].base_color[3u];
             let _e486 = (_e460 * ((((f32((_e445[0].color >> bitcast<u32>(24i))) * _e428.x) + (f32((_e445[1].color >> bitcast<u32>(24i))) * _e428.y)) + (f32((_e445[2].color >> bitcast<u32>(24i))) * _e428.z)) * (1f / 255f)));
             let _e488 = materials.member[(0u + _e445[0].material)].alpha_size;
             if (_e488 == 0u) {
-                phi_1087_ = _e486;
+                phi_1086_ = _e486;
             } else {
                 let _e491 = materials.member[(0u + _e445[0].material)].alpha_offset;
                 let _e493 = materials.member[(0u + _e445[0].material)].alpha_size;
@@ -675,16 +676,16 @@ fn function_() {
                     return;
                 }
                 let _e594 = alpha_texels.member[(0u + _e590)];
-                phi_1087_ = (_e486 * (((((f32(((_e532 >> bitcast<u32>((((_e524.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e524.weights.x) + ((f32(((_e552 >> bitcast<u32>((((_e524.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e524.weights.y)) + ((f32(((_e573 >> bitcast<u32>((((_e524.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e524.weights.z)) + ((f32(((_e594 >> bitcast<u32>((((_e524.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e524.weights.w)));
+                phi_1086_ = (_e486 * (((((f32(((_e532 >> bitcast<u32>((((_e524.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e524.weights.x) + ((f32(((_e552 >> bitcast<u32>((((_e524.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e524.weights.y)) + ((f32(((_e573 >> bitcast<u32>((((_e524.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e524.weights.z)) + ((f32(((_e594 >> bitcast<u32>((((_e524.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e524.weights.w)));
             }
-            let _e610 = phi_1087_;
+            let _e610 = phi_1086_;
             let _e612 = materials.member[(0u + _e445[0].material)].cutoff;
-            phi_1091_ = (_e610 >= _e612);
+            phi_1090_ = (_e610 >= _e612);
         }
-        let _e615 = phi_1091_;
-        phi_1092_ = _e615;
+        let _e615 = phi_1090_;
+        phi_1091_ = _e615;
     }
-    let _e617 = phi_1092_;
+    let _e617 = phi_1091_;
     if _e617 {
     } else {
         spirv_std_arch_kill();
@@ -700,11 +701,11 @@ fn function_() {
     let _e640 = ((_e626 * _e623) - (_e627 * _e622));
     let _e642 = ((_e634 + _e637) + _e640);
     if (_e642 == 0f) {
-        phi_1130_ = vec3<f32>(1f, 0f, 0f);
+        phi_1129_ = vec3<f32>(1f, 0f, 0f);
     } else {
-        phi_1130_ = vec3<f32>((_e634 / _e642), (_e637 / _e642), (_e640 / _e642));
+        phi_1129_ = vec3<f32>((_e634 / _e642), (_e637 / _e642), (_e640 / _e642));
     }
-    let _e649 = phi_1130_;
+    let _e649 = phi_1129_;
     let _e657 = (((_e649.x * _e165) + (_e649.y * _e274)) + (_e649.z * _e383));
     let _e658 = lt_shaders_depth_depth_at_u007b_closure_u0023_0_u007d(_e165, _e274);
     let _e659 = lt_shaders_depth_depth_at_u007b_closure_u0023_0_u007d(_e658, _e383);
@@ -714,16 +715,16 @@ fn function_() {
     let _e663 = lt_shaders_depth_depth_at_u007b_closure_u0023_0_u007d(_e662, 1f);
     if (_e657 > _e660) {
         if (_e657 < _e663) {
-            phi_1153_ = _e657;
+            phi_1152_ = _e657;
         } else {
-            phi_1153_ = _e663;
+            phi_1152_ = _e663;
         }
-        let _e667 = phi_1153_;
-        phi_1154_ = _e667;
+        let _e667 = phi_1152_;
+        phi_1153_ = _e667;
     } else {
-        phi_1154_ = _e660;
+        phi_1153_ = _e660;
     }
-    let _e669 = phi_1154_;
+    let _e669 = phi_1153_;
     depth = _e669;
     return;
 }

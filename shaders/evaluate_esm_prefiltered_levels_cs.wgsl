@@ -59,11 +59,11 @@ struct abi_ShadowParams {
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_36 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -87,7 +87,7 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_36;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
@@ -96,37 +96,37 @@ var<storage> levels: type_41;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
-    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_159_: lt_bvh_traverse_Tree;
+    var phi_160_: bool;
+    var phi_161_: lt_bvh_traverse_Tree;
+    var phi_162_: bool;
+    var phi_167_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_163_ = false;
+            phi_159_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_160_ = false;
         } else {
-            phi_162_ = lt_bvh_traverse_Tree();
-            phi_163_ = true;
+            phi_159_ = lt_bvh_traverse_Tree();
+            phi_160_ = true;
         }
-        let _e65 = phi_162_;
-        let _e67 = phi_163_;
-        phi_164_ = _e65;
-        phi_165_ = _e67;
+        let _e64 = phi_159_;
+        let _e66 = phi_160_;
+        phi_161_ = _e64;
+        phi_162_ = _e66;
     } else {
-        phi_164_ = lt_bvh_traverse_Tree();
-        phi_165_ = true;
+        phi_161_ = lt_bvh_traverse_Tree();
+        phi_162_ = true;
     }
-    let _e69 = phi_164_;
-    let _e71 = phi_165_;
-    if _e71 {
-        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e68 = phi_161_;
+    let _e70 = phi_162_;
+    if _e70 {
+        phi_167_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_170_ = _e69;
+        phi_167_ = _e68;
     }
-    let _e76 = phi_170_;
-    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
+    let _e75 = phi_167_;
+    return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -134,825 +134,763 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_190_: bool;
-    var phi_194_: f32;
+    var phi_187_: bool;
+    var phi_191_: f32;
 
-    let _e53 = (*param_4);
+    let _e52 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_190_ = true;
+        phi_187_ = true;
     } else {
-        let _e57 = (84f < _e53);
-        if _e57 {
+        let _e56 = (84f < _e52);
+        if _e56 {
         }
-        phi_190_ = _e57;
+        phi_187_ = _e56;
     }
-    let _e59 = phi_190_;
-    if _e59 {
-        phi_194_ = 84f;
+    let _e58 = phi_187_;
+    if _e58 {
+        phi_191_ = 84f;
     } else {
-        phi_194_ = _e53;
+        phi_191_ = _e52;
     }
-    let _e61 = phi_194_;
-    return _e61;
+    let _e60 = phi_191_;
+    return _e60;
 }
 
-fn lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(param_5: f32, param_6: f32) -> f32 {
-    var phi_202_: f32;
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
+    var phi_210_: f32;
+    var phi_211_: f32;
+    var phi_212_: f32;
+    var phi_227_: f32;
+    var phi_232_: f32;
+    var phi_254_: f32;
+    var phi_259_: f32;
+    var phi_260_: bool;
+    var phi_261_: f32;
+    var phi_262_: bool;
+    var phi_266_: f32;
+    var phi_304_: f32;
+    var phi_320_: f32;
+    var phi_321_: f32;
+    var phi_322_: f32;
 
-    if (param_5 < param_6) {
-        phi_202_ = param_5;
+    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
+        phi_212_ = param_7;
     } else {
-        phi_202_ = param_6;
+        if (param_7 < 0f) {
+            phi_211_ = 0f;
+        } else {
+            if (param_7 > 1f) {
+                phi_210_ = 1f;
+            } else {
+                phi_210_ = param_7;
+            }
+            let _e60 = phi_210_;
+            phi_211_ = _e60;
+        }
+        let _e62 = phi_211_;
+        phi_212_ = _e62;
     }
-    let _e56 = phi_202_;
-    return _e56;
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_7: ptr<function, f32>, param_8: vec4<f32>, param_9: f32) -> f32 {
-    var phi_221_: f32;
-    var phi_222_: f32;
-    var phi_223_: f32;
-    var phi_238_: f32;
-    var phi_243_: f32;
-    var phi_265_: f32;
-    var phi_270_: f32;
-    var phi_271_: bool;
-    var phi_272_: f32;
-    var phi_273_: bool;
-    var phi_277_: f32;
-    var phi_315_: f32;
-    var phi_331_: f32;
-    var phi_332_: f32;
-    var phi_333_: f32;
-
-    if ((bitcast<u32>(param_9) & 2147483647u) > 2139095040u) {
-        phi_223_ = param_9;
+    let _e64 = phi_212_;
+    let _e66 = _lt_math_esm_Esm_clamped_exponent(param_5);
+    let _e68 = (_e66 * (1f - _e64));
+    if ((bitcast<u32>(_e68) & 2147483647u) > 2139095040u) {
+        phi_304_ = _e68;
     } else {
-        if (param_9 < 0f) {
-            phi_222_ = 0f;
+        if (_e68 < -87f) {
+            phi_227_ = -87f;
         } else {
-            if (param_9 > 1f) {
-                phi_221_ = 1f;
-            } else {
-                phi_221_ = param_9;
-            }
-            let _e61 = phi_221_;
-            phi_222_ = _e61;
+            phi_227_ = _e68;
         }
-        let _e63 = phi_222_;
-        phi_223_ = _e63;
+        let _e74 = phi_227_;
+        if (_e74 > 88f) {
+            phi_232_ = 88f;
+        } else {
+            phi_232_ = _e74;
+        }
+        let _e77 = phi_232_;
+        let _e79 = ((_e77 * 1.442695f) + 0.5f);
+        if (_e79 > -8388608f) {
+            let _e91 = f32(select(0i, select(select(i32(_e79), i32(-2147483648), (_e79 < bitcast<f32>(3472883712u))), 2147483647i, (_e79 > bitcast<f32>(1325400063u))), (_e79 == _e79)));
+            if (_e91 > _e79) {
+                phi_254_ = 1f;
+            } else {
+                phi_254_ = 0f;
+            }
+            let _e94 = phi_254_;
+            if (_e79 < 8388608f) {
+                phi_259_ = (_e91 - _e94);
+                phi_260_ = false;
+            } else {
+                phi_259_ = f32();
+                phi_260_ = true;
+            }
+            let _e97 = phi_259_;
+            let _e99 = phi_260_;
+            phi_261_ = _e97;
+            phi_262_ = _e99;
+        } else {
+            phi_261_ = f32();
+            phi_262_ = true;
+        }
+        let _e101 = phi_261_;
+        let _e103 = phi_262_;
+        if _e103 {
+            phi_266_ = _e79;
+        } else {
+            phi_266_ = _e101;
+        }
+        let _e105 = phi_266_;
+        let _e109 = ((_e77 - (_e105 * 0.69314575f)) - (_e105 * 0.0000014286068f));
+        phi_304_ = ((((((((((((((((1f / 5040f) * _e109) + (1f / 720f)) * _e109) + (1f / 120f)) * _e109) + (1f / 24f)) * _e109) + (1f / 6f)) * _e109) + 0.5f) * _e109) + 1f) * _e109) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e105), i32(-2147483648), (_e105 < bitcast<f32>(3472883712u))), 2147483647i, (_e105 > bitcast<f32>(1325400063u))), (_e105 == _e105)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e65 = phi_223_;
-    let _e67 = _lt_math_esm_Esm_clamped_exponent(param_7);
-    let _e69 = (_e67 * (1f - _e65));
-    if ((bitcast<u32>(_e69) & 2147483647u) > 2139095040u) {
-        phi_315_ = _e69;
+    let _e145 = phi_304_;
+    let _e146 = (param_6.x * _e145);
+    if ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u) {
+        phi_322_ = _e146;
     } else {
-        if (_e69 < -87f) {
-            phi_238_ = -87f;
+        if (_e146 < 0f) {
+            phi_321_ = 0f;
         } else {
-            phi_238_ = _e69;
-        }
-        let _e75 = phi_238_;
-        if (_e75 > 88f) {
-            phi_243_ = 88f;
-        } else {
-            phi_243_ = _e75;
-        }
-        let _e78 = phi_243_;
-        let _e80 = ((_e78 * 1.442695f) + 0.5f);
-        if (_e80 > -8388608f) {
-            let _e92 = f32(select(0i, select(select(i32(_e80), i32(-2147483648), (_e80 < bitcast<f32>(3472883712u))), 2147483647i, (_e80 > bitcast<f32>(1325400063u))), (_e80 == _e80)));
-            if (_e92 > _e80) {
-                phi_265_ = 1f;
+            if (_e146 > 1f) {
+                phi_320_ = 1f;
             } else {
-                phi_265_ = 0f;
+                phi_320_ = _e146;
             }
-            let _e95 = phi_265_;
-            if (_e80 < 8388608f) {
-                phi_270_ = (_e92 - _e95);
-                phi_271_ = false;
-            } else {
-                phi_270_ = f32();
-                phi_271_ = true;
-            }
-            let _e98 = phi_270_;
-            let _e100 = phi_271_;
-            phi_272_ = _e98;
-            phi_273_ = _e100;
-        } else {
-            phi_272_ = f32();
-            phi_273_ = true;
+            let _e153 = phi_320_;
+            phi_321_ = _e153;
         }
-        let _e102 = phi_272_;
-        let _e104 = phi_273_;
-        if _e104 {
-            phi_277_ = _e80;
-        } else {
-            phi_277_ = _e102;
-        }
-        let _e106 = phi_277_;
-        let _e110 = ((_e78 - (_e106 * 0.69314575f)) - (_e106 * 0.0000014286068f));
-        phi_315_ = ((((((((((((((((1f / 5040f) * _e110) + (1f / 720f)) * _e110) + (1f / 120f)) * _e110) + (1f / 24f)) * _e110) + (1f / 6f)) * _e110) + 0.5f) * _e110) + 1f) * _e110) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e106), i32(-2147483648), (_e106 < bitcast<f32>(3472883712u))), 2147483647i, (_e106 > bitcast<f32>(1325400063u))), (_e106 == _e106)) + 127i)) << bitcast<u32>(23i))));
+        let _e155 = phi_321_;
+        phi_322_ = _e155;
     }
-    let _e146 = phi_315_;
-    let _e147 = (param_8.x * _e146);
-    if ((bitcast<u32>(_e147) & 2147483647u) > 2139095040u) {
-        phi_333_ = _e147;
-    } else {
-        if (_e147 < 0f) {
-            phi_332_ = 0f;
-        } else {
-            if (_e147 > 1f) {
-                phi_331_ = 1f;
-            } else {
-                phi_331_ = _e147;
-            }
-            let _e154 = phi_331_;
-            phi_332_ = _e154;
-        }
-        let _e156 = phi_332_;
-        phi_333_ = _e156;
-    }
-    let _e158 = phi_333_;
-    return _e158;
+    let _e157 = phi_322_;
+    return _e157;
 }
 
 fn function_() {
     var local: f32;
-    var phi_393_: bool;
-    var phi_394_: bool;
-    var phi_395_: bool;
-    var phi_396_: bool;
-    var phi_400_: bool;
-    var phi_470_: bool;
-    var phi_471_: bool;
-    var phi_482_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_483_: bool;
-    var phi_484_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_485_: bool;
-    var phi_492_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_496_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_516_: lt_math_LightPoint;
-    var phi_519_: u32;
-    var phi_521_: lt_math_LevelPoint;
-    var phi_607_: bool;
+    var phi_382_: bool;
+    var phi_383_: bool;
+    var phi_384_: bool;
+    var phi_385_: bool;
+    var phi_389_: bool;
+    var phi_459_: bool;
+    var phi_460_: bool;
+    var phi_471_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_472_: bool;
+    var phi_473_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_474_: bool;
+    var phi_481_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_485_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_505_: lt_math_LightPoint;
+    var phi_508_: u32;
+    var phi_510_: lt_math_LevelPoint;
+    var phi_596_: bool;
+    var phi_605_: bool;
+    var phi_614_: bool;
+    var phi_615_: bool;
     var phi_616_: bool;
-    var phi_625_: bool;
-    var phi_626_: bool;
-    var phi_627_: bool;
-    var phi_628_: bool;
-    var phi_629_: bool;
-    var phi_630_: bool;
-    var phi_631_: bool;
-    var phi_635_: bool;
+    var phi_617_: bool;
+    var phi_618_: bool;
+    var phi_619_: bool;
+    var phi_620_: bool;
+    var phi_624_: bool;
+    var phi_651_: bool;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_654_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
     var phi_662_: bool;
-    var phi_663_: bool;
-    var phi_664_: bool;
-    var phi_665_: bool;
-    var phi_666_: bool;
-    var phi_667_: bool;
-    var phi_668_: bool;
-    var phi_669_: bool;
-    var phi_673_: bool;
-    var phi_682_: lt_math_LightPoint;
-    var phi_683_: u32;
-    var phi_684_: lt_math_LevelPoint;
-    var phi_685_: bool;
-    var phi_517_: lt_math_LightPoint;
-    var phi_520_: u32;
-    var phi_522_: lt_math_LevelPoint;
-    var phi_686_: bool;
+    var phi_671_: lt_math_LightPoint;
+    var phi_672_: u32;
+    var phi_673_: lt_math_LevelPoint;
+    var phi_674_: bool;
+    var phi_506_: lt_math_LightPoint;
+    var phi_509_: u32;
+    var phi_511_: lt_math_LevelPoint;
+    var phi_675_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_726_: bool;
-    var phi_727_: bool;
-    var phi_728_: bool;
-    var phi_729_: bool;
-    var phi_733_: bool;
-    var phi_815_: f32;
-    var phi_931_: f32;
-    var phi_932_: f32;
-    var phi_935_: f32;
-    var phi_964_: f32;
-    var phi_969_: f32;
-    var phi_970_: bool;
-    var phi_971_: f32;
-    var phi_972_: bool;
-    var phi_976_: f32;
-    var phi_996_: f32;
-    var phi_1001_: f32;
-    var phi_1002_: bool;
-    var phi_1003_: f32;
-    var phi_1004_: bool;
-    var phi_1008_: f32;
+    var phi_715_: bool;
+    var phi_716_: bool;
+    var phi_717_: bool;
+    var phi_718_: bool;
+    var phi_722_: bool;
+    var phi_804_: f32;
+    var phi_920_: f32;
+    var phi_921_: f32;
+    var phi_924_: f32;
+    var phi_953_: f32;
+    var phi_958_: f32;
+    var phi_959_: bool;
+    var phi_960_: f32;
+    var phi_961_: bool;
+    var phi_965_: f32;
+    var phi_985_: f32;
+    var phi_990_: f32;
+    var phi_991_: bool;
+    var phi_992_: f32;
+    var phi_993_: bool;
+    var phi_997_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1057_: i32;
-    var phi_1062_: i32;
-    var phi_1067_: i32;
-    var phi_1072_: i32;
-    var phi_1081_: i32;
-    var phi_1086_: i32;
-    var phi_1091_: i32;
-    var phi_1096_: i32;
-    var local_4: lt_math_LevelPoint;
-    var phi_1212_: f32;
-    var phi_1214_: evaluate_Verdict;
-    var phi_1215_: bool;
-    var phi_1216_: evaluate_Verdict;
-    var phi_1217_: bool;
-    var phi_1222_: evaluate_Verdict;
-    var phi_1223_: bool;
-    var phi_1225_: evaluate_Verdict;
-    var phi_1226_: evaluate_Verdict;
-    var phi_1227_: bool;
-    var phi_1231_: evaluate_Verdict;
-    var phi_1232_: evaluate_Verdict;
-    var phi_1233_: bool;
-    var phi_1237_: evaluate_Verdict;
+    var phi_1046_: i32;
+    var phi_1051_: i32;
+    var phi_1056_: i32;
+    var phi_1061_: i32;
+    var phi_1070_: i32;
+    var phi_1075_: i32;
+    var phi_1080_: i32;
+    var phi_1085_: i32;
+    var phi_1174_: evaluate_Verdict;
+    var phi_1175_: evaluate_Verdict;
+    var phi_1176_: bool;
+    var phi_1177_: evaluate_Verdict;
+    var phi_1178_: evaluate_Verdict;
+    var phi_1179_: bool;
+    var phi_1183_: evaluate_Verdict;
 
-    let _e53 = id_1;
-    let _e60 = arrayLength((&map.member));
-    let _e66 = arrayLength((&levels.member));
-    let _e69 = p.member.size[0u];
-    let _e71 = p.member.size[1u];
-    let _e72 = lt_shaders_entry_pixel_index(_e53, _e69, _e71);
-    if (bitcast<i32>(_e72.root) != 0i) {
-        let _e78 = p.member.level_count;
-        if (_e72.first_primitive < arrayLength((&samples.member))) {
+    let _e52 = id_1;
+    let _e59 = arrayLength((&map.member));
+    let _e65 = arrayLength((&levels.member));
+    let _e68 = p.member.size[0u];
+    let _e70 = p.member.size[1u];
+    let _e71 = lt_shaders_entry_pixel_index(_e52, _e68, _e70);
+    if (bitcast<i32>(_e71.root) != 0i) {
+        let _e77 = p.member.level_count;
+        if (_e71.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e85 = samples.member[(0u + _e72.first_primitive)].normal[0u];
-        let _e87 = global[0u];
-        if (_e85 == _e87) {
-            let _e90 = samples.member[(0u + _e72.first_primitive)].normal[1u];
-            let _e92 = global[1u];
-            if (_e90 == _e92) {
-                let _e95 = samples.member[(0u + _e72.first_primitive)].normal[2u];
-                let _e97 = global[2u];
-                phi_393_ = (_e95 == _e97);
-                phi_394_ = false;
+        let _e84 = samples.member[(0u + _e71.first_primitive)].normal[0u];
+        let _e86 = global[0u];
+        if (_e84 == _e86) {
+            let _e89 = samples.member[(0u + _e71.first_primitive)].normal[1u];
+            let _e91 = global[1u];
+            if (_e89 == _e91) {
+                let _e94 = samples.member[(0u + _e71.first_primitive)].normal[2u];
+                let _e96 = global[2u];
+                phi_382_ = (_e94 == _e96);
+                phi_383_ = false;
             } else {
-                phi_393_ = bool();
-                phi_394_ = true;
+                phi_382_ = bool();
+                phi_383_ = true;
             }
-            let _e100 = phi_393_;
-            let _e102 = phi_394_;
-            phi_395_ = _e100;
-            phi_396_ = _e102;
+            let _e99 = phi_382_;
+            let _e101 = phi_383_;
+            phi_384_ = _e99;
+            phi_385_ = _e101;
         } else {
-            phi_395_ = bool();
-            phi_396_ = true;
+            phi_384_ = bool();
+            phi_385_ = true;
         }
-        let _e104 = phi_395_;
-        let _e106 = phi_396_;
-        if _e106 {
-            phi_400_ = false;
+        let _e103 = phi_384_;
+        let _e105 = phi_385_;
+        if _e105 {
+            phi_389_ = false;
         } else {
-            phi_400_ = _e104;
+            phi_389_ = _e103;
         }
-        let _e108 = phi_400_;
-        if !(_e108) {
-            let _e111 = samples.member[(0u + _e72.first_primitive)].position;
-            let _e113 = p.member.light.place;
-            let _e119 = p.member.light.place[3u];
-            let _e126 = (_e113.x - (_e111.x * _e119));
-            let _e127 = (_e113.y - (_e111.y * _e119));
-            let _e128 = (_e113.z - (_e111.z * _e119));
-            let _e130 = samples.member[(0u + _e72.first_primitive)].normal;
-            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
-                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
-                let _e146 = p.member.light.axis;
-                let _e158 = p.member.light.place[3u];
-                if (_e158 == 0f) {
-                    phi_471_ = true;
+        let _e107 = phi_389_;
+        if !(_e107) {
+            let _e110 = samples.member[(0u + _e71.first_primitive)].position;
+            let _e112 = p.member.light.place;
+            let _e118 = p.member.light.place[3u];
+            let _e125 = (_e112.x - (_e110.x * _e118));
+            let _e126 = (_e112.y - (_e110.y * _e118));
+            let _e127 = (_e112.z - (_e110.z * _e118));
+            let _e129 = samples.member[(0u + _e71.first_primitive)].normal;
+            if ((((_e129.x * _e125) + (_e129.y * _e126)) + (_e129.z * _e127)) > 0f) {
+                let _e143 = (((_e125 * _e125) + (_e126 * _e126)) + (_e127 * _e127));
+                let _e145 = p.member.light.axis;
+                let _e157 = p.member.light.place[3u];
+                if (_e157 == 0f) {
+                    phi_460_ = true;
                 } else {
-                    let _e161 = p.member.light.range_squared;
-                    if (_e144 <= _e161) {
-                        let _e164 = p.member.light.cos_outer;
-                        phi_470_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
+                    let _e160 = p.member.light.range_squared;
+                    if (_e143 <= _e160) {
+                        let _e163 = p.member.light.cos_outer;
+                        phi_459_ = (-((((_e125 * _e145.x) + (_e126 * _e145.y)) + (_e127 * _e145.z))) >= (_e163 * sqrt(_e143)));
                     } else {
-                        phi_470_ = false;
+                        phi_459_ = false;
                     }
-                    let _e169 = phi_470_;
-                    phi_471_ = _e169;
+                    let _e168 = phi_459_;
+                    phi_460_ = _e168;
                 }
-                let _e171 = phi_471_;
-                if _e171 {
-                    let _e173 = samples.member[(0u + _e72.first_primitive)].flags;
-                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
-                    phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
-                    phi_483_ = false;
+                let _e170 = phi_460_;
+                if _e170 {
+                    let _e172 = samples.member[(0u + _e71.first_primitive)].flags;
+                    let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e180.unnamed.visibility, false), _e180.unnamed_1);
+                    phi_471_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e186.unnamed, ((_e172 & 1u) == 0u));
+                    phi_472_ = false;
                 } else {
-                    phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_483_ = true;
+                    phi_471_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_472_ = true;
                 }
-                let _e192 = phi_482_;
-                let _e194 = phi_483_;
-                phi_484_ = _e192;
-                phi_485_ = _e194;
+                let _e191 = phi_471_;
+                let _e193 = phi_472_;
+                phi_473_ = _e191;
+                phi_474_ = _e193;
             } else {
-                phi_484_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_485_ = true;
+                phi_473_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_474_ = true;
             }
-            let _e196 = phi_484_;
-            let _e198 = phi_485_;
-            if _e198 {
-                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
-                phi_492_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
+            let _e195 = phi_473_;
+            let _e197 = phi_474_;
+            if _e197 {
+                let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
+                phi_481_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
             } else {
-                phi_492_ = _e196;
+                phi_481_ = _e195;
             }
-            let _e215 = phi_492_;
-            phi_496_ = _e215;
+            let _e214 = phi_481_;
+            phi_485_ = _e214;
         } else {
-            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-            phi_496_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+            let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e226 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e220.unnamed.visibility, false), _e220.unnamed_1);
+            phi_485_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e226.unnamed, true);
         }
-        let _e232 = phi_496_;
-        if _e232.unnamed_1 {
-            phi_1231_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
-            phi_1232_ = evaluate_Verdict();
-            phi_1233_ = true;
+        let _e231 = phi_485_;
+        if _e231.unnamed_1 {
+            phi_1177_ = evaluate_Verdict(_e231.unnamed.visibility, _e231.unnamed.is_doubted);
+            phi_1178_ = evaluate_Verdict();
+            phi_1179_ = true;
         } else {
-            let _e240 = samples.member[(0u + _e72.first_primitive)].position;
-            let _e242 = p.member.map_size;
-            let _e244 = (0.5f / f32(_e242));
-            let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
-            let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
-            phi_516_ = lt_math_LightPoint();
-            phi_519_ = 0u;
-            phi_521_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
+            let _e239 = samples.member[(0u + _e71.first_primitive)].position;
+            let _e241 = p.member.map_size;
+            let _e243 = (0.5f / f32(_e241));
+            let _e250 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e257 = lt_math_LightPoint(vec2<f32>(_e250.uv.x, 0f), _e250.depth, _e250.is_inside);
+            let _e261 = lt_math_LightPoint(_e257.uv, 0f, _e257.is_inside);
+            phi_505_ = lt_math_LightPoint();
+            phi_508_ = 0u;
+            phi_510_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e261.uv, _e261.depth, false));
             loop {
-                let _e269 = phi_516_;
-                let _e271 = phi_519_;
-                let _e273 = phi_521_;
-                local_1 = _e273;
-                local_2 = _e273;
-                local_3 = _e273;
-                local_4 = _e273;
-                if (_e271 < _e78) {
-                    if _e273.point.is_inside {
-                        phi_682_ = lt_math_LightPoint();
-                        phi_683_ = u32();
-                        phi_684_ = lt_math_LevelPoint();
-                        phi_685_ = false;
+                let _e268 = phi_505_;
+                let _e270 = phi_508_;
+                let _e272 = phi_510_;
+                local_1 = _e272;
+                local_2 = _e272;
+                local_3 = _e272;
+                if (_e270 < _e77) {
+                    if _e272.point.is_inside {
+                        phi_671_ = lt_math_LightPoint();
+                        phi_672_ = u32();
+                        phi_673_ = lt_math_LevelPoint();
+                        phi_674_ = false;
                     } else {
-                        if (_e271 < _e66) {
+                        if (_e270 < _e65) {
                         } else {
                             return;
                         }
-                        let _e284 = levels.member[(0u + _e271)].row_w;
-                        let _e295 = ((((_e284.x * _e240.x) + (_e284.y * _e240.y)) + (_e284.z * _e240.z)) + (_e284.w * 1f));
-                        let _e297 = levels.member[(0u + _e271)].row_x;
-                        let _e309 = (((((_e297.x * _e240.x) + (_e297.y * _e240.y)) + (_e297.z * _e240.z)) + (_e297.w * 1f)) / _e295);
-                        let _e311 = levels.member[(0u + _e271)].row_y;
-                        let _e323 = (((((_e311.x * _e240.x) + (_e311.y * _e240.y)) + (_e311.z * _e240.z)) + (_e311.w * 1f)) / _e295);
-                        let _e325 = levels.member[(0u + _e271)].row_z;
-                        let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
-                        if (_e295 > 0f) {
-                            if (_e309 >= 0f) {
-                                phi_607_ = (_e309 <= 1f);
+                        let _e283 = levels.member[(0u + _e270)].row_w;
+                        let _e294 = ((((_e283.x * _e239.x) + (_e283.y * _e239.y)) + (_e283.z * _e239.z)) + (_e283.w * 1f));
+                        let _e296 = levels.member[(0u + _e270)].row_x;
+                        let _e308 = (((((_e296.x * _e239.x) + (_e296.y * _e239.y)) + (_e296.z * _e239.z)) + (_e296.w * 1f)) / _e294);
+                        let _e310 = levels.member[(0u + _e270)].row_y;
+                        let _e322 = (((((_e310.x * _e239.x) + (_e310.y * _e239.y)) + (_e310.z * _e239.z)) + (_e310.w * 1f)) / _e294);
+                        let _e324 = levels.member[(0u + _e270)].row_z;
+                        let _e335 = ((((_e324.x * _e239.x) + (_e324.y * _e239.y)) + (_e324.z * _e239.z)) + (_e324.w * 1f));
+                        if (_e294 > 0f) {
+                            if (_e308 >= 0f) {
+                                phi_596_ = (_e308 <= 1f);
                             } else {
-                                phi_607_ = false;
+                                phi_596_ = false;
                             }
-                            let _e341 = phi_607_;
-                            if _e341 {
-                                if (_e323 >= 0f) {
-                                    phi_616_ = (_e323 <= 1f);
+                            let _e340 = phi_596_;
+                            if _e340 {
+                                if (_e322 >= 0f) {
+                                    phi_605_ = (_e322 <= 1f);
                                 } else {
+                                    phi_605_ = false;
+                                }
+                                let _e344 = phi_605_;
+                                if _e344 {
+                                    if (_e335 >= 0f) {
+                                        phi_614_ = (_e335 <= 1f);
+                                    } else {
+                                        phi_614_ = false;
+                                    }
+                                    let _e348 = phi_614_;
+                                    phi_615_ = _e348;
                                     phi_616_ = false;
-                                }
-                                let _e345 = phi_616_;
-                                if _e345 {
-                                    if (_e336 >= 0f) {
-                                        phi_625_ = (_e336 <= 1f);
-                                    } else {
-                                        phi_625_ = false;
-                                    }
-                                    let _e349 = phi_625_;
-                                    phi_626_ = _e349;
-                                    phi_627_ = false;
                                 } else {
-                                    phi_626_ = bool();
-                                    phi_627_ = true;
+                                    phi_615_ = bool();
+                                    phi_616_ = true;
                                 }
-                                let _e351 = phi_626_;
-                                let _e353 = phi_627_;
-                                phi_628_ = _e351;
-                                phi_629_ = _e353;
+                                let _e350 = phi_615_;
+                                let _e352 = phi_616_;
+                                phi_617_ = _e350;
+                                phi_618_ = _e352;
                             } else {
-                                phi_628_ = bool();
-                                phi_629_ = true;
+                                phi_617_ = bool();
+                                phi_618_ = true;
                             }
-                            let _e355 = phi_628_;
-                            let _e357 = phi_629_;
-                            phi_630_ = _e355;
-                            phi_631_ = _e357;
+                            let _e354 = phi_617_;
+                            let _e356 = phi_618_;
+                            phi_619_ = _e354;
+                            phi_620_ = _e356;
                         } else {
-                            phi_630_ = bool();
-                            phi_631_ = true;
+                            phi_619_ = bool();
+                            phi_620_ = true;
                         }
-                        let _e359 = phi_630_;
-                        let _e361 = phi_631_;
-                        if _e361 {
-                            phi_635_ = false;
+                        let _e358 = phi_619_;
+                        let _e360 = phi_620_;
+                        if _e360 {
+                            phi_624_ = false;
                         } else {
-                            phi_635_ = _e359;
+                            phi_624_ = _e358;
                         }
-                        let _e363 = phi_635_;
-                        if _e363 {
-                            if (_e309 >= _e244) {
-                                if (_e309 <= (1f - _e244)) {
-                                    if (_e323 >= _e244) {
-                                        phi_662_ = (_e323 <= (1f - _e244));
-                                        phi_663_ = false;
+                        let _e362 = phi_624_;
+                        if _e362 {
+                            if (_e308 >= _e243) {
+                                if (_e308 <= (1f - _e243)) {
+                                    if (_e322 >= _e243) {
+                                        phi_651_ = (_e322 <= (1f - _e243));
+                                        phi_652_ = false;
                                     } else {
-                                        phi_662_ = bool();
-                                        phi_663_ = true;
+                                        phi_651_ = bool();
+                                        phi_652_ = true;
                                     }
-                                    let _e371 = phi_662_;
-                                    let _e373 = phi_663_;
-                                    phi_664_ = _e371;
-                                    phi_665_ = _e373;
+                                    let _e370 = phi_651_;
+                                    let _e372 = phi_652_;
+                                    phi_653_ = _e370;
+                                    phi_654_ = _e372;
                                 } else {
-                                    phi_664_ = bool();
-                                    phi_665_ = true;
+                                    phi_653_ = bool();
+                                    phi_654_ = true;
                                 }
-                                let _e375 = phi_664_;
-                                let _e377 = phi_665_;
-                                phi_666_ = _e375;
-                                phi_667_ = _e377;
+                                let _e374 = phi_653_;
+                                let _e376 = phi_654_;
+                                phi_655_ = _e374;
+                                phi_656_ = _e376;
                             } else {
-                                phi_666_ = bool();
-                                phi_667_ = true;
+                                phi_655_ = bool();
+                                phi_656_ = true;
                             }
-                            let _e379 = phi_666_;
-                            let _e381 = phi_667_;
-                            phi_668_ = _e379;
-                            phi_669_ = _e381;
+                            let _e378 = phi_655_;
+                            let _e380 = phi_656_;
+                            phi_657_ = _e378;
+                            phi_658_ = _e380;
                         } else {
-                            phi_668_ = bool();
-                            phi_669_ = true;
+                            phi_657_ = bool();
+                            phi_658_ = true;
                         }
-                        let _e383 = phi_668_;
-                        let _e385 = phi_669_;
-                        if _e385 {
-                            phi_673_ = false;
+                        let _e382 = phi_657_;
+                        let _e384 = phi_658_;
+                        if _e384 {
+                            phi_662_ = false;
                         } else {
-                            phi_673_ = _e383;
+                            phi_662_ = _e382;
                         }
-                        let _e387 = phi_673_;
-                        let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
-                        let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
-                        let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
-                        let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
-                        phi_682_ = _e409;
-                        phi_683_ = (_e271 + 1u);
-                        phi_684_ = lt_math_LevelPoint(_e271, _e409);
-                        phi_685_ = true;
+                        let _e386 = phi_662_;
+                        let _e393 = lt_math_LightPoint(vec2<f32>(_e308, _e268.uv.y), _e268.depth, _e268.is_inside);
+                        let _e400 = lt_math_LightPoint(vec2<f32>(_e393.uv.x, _e322), _e393.depth, _e393.is_inside);
+                        let _e404 = lt_math_LightPoint(_e400.uv, _e335, _e400.is_inside);
+                        let _e408 = lt_math_LightPoint(_e404.uv, _e404.depth, _e386);
+                        phi_671_ = _e408;
+                        phi_672_ = (_e270 + 1u);
+                        phi_673_ = lt_math_LevelPoint(_e270, _e408);
+                        phi_674_ = true;
                     }
-                    let _e413 = phi_682_;
-                    let _e415 = phi_683_;
-                    let _e417 = phi_684_;
-                    let _e419 = phi_685_;
-                    phi_517_ = _e413;
-                    phi_520_ = _e415;
-                    phi_522_ = _e417;
-                    phi_686_ = _e419;
+                    let _e412 = phi_671_;
+                    let _e414 = phi_672_;
+                    let _e416 = phi_673_;
+                    let _e418 = phi_674_;
+                    phi_506_ = _e412;
+                    phi_509_ = _e414;
+                    phi_511_ = _e416;
+                    phi_675_ = _e418;
                 } else {
-                    phi_517_ = lt_math_LightPoint();
-                    phi_520_ = u32();
-                    phi_522_ = lt_math_LevelPoint();
-                    phi_686_ = false;
+                    phi_506_ = lt_math_LightPoint();
+                    phi_509_ = u32();
+                    phi_511_ = lt_math_LevelPoint();
+                    phi_675_ = false;
                 }
-                let _e421 = phi_517_;
-                let _e423 = phi_520_;
-                let _e425 = phi_522_;
-                let _e427 = phi_686_;
+                let _e420 = phi_506_;
+                let _e422 = phi_509_;
+                let _e424 = phi_511_;
+                let _e426 = phi_675_;
                 continue;
                 continuing {
-                    phi_516_ = _e421;
-                    phi_519_ = _e423;
-                    phi_521_ = _e425;
-                    break if !(_e427);
+                    phi_505_ = _e420;
+                    phi_508_ = _e422;
+                    phi_510_ = _e424;
+                    break if !(_e426);
                 }
             }
-            let _e430 = local_1;
-            if _e430.point.is_inside {
+            let _e429 = local_1;
+            if _e429.point.is_inside {
                 if (0f > 0f) {
-                    let _e436 = local_2;
-                    if (_e436.level < _e66) {
+                    let _e435 = local_2;
+                    if (_e435.level < _e65) {
                     } else {
                         return;
                     }
-                    let _e441 = levels.member[(0u + _e436.level)];
-                    let _e447 = global[0u];
-                    if (_e441.row_w.x == _e447) {
-                        let _e450 = global[1u];
-                        if (_e441.row_w.y == _e450) {
-                            let _e453 = global[2u];
-                            phi_726_ = (_e441.row_w.z == _e453);
-                            phi_727_ = false;
+                    let _e440 = levels.member[(0u + _e435.level)];
+                    let _e446 = global[0u];
+                    if (_e440.row_w.x == _e446) {
+                        let _e449 = global[1u];
+                        if (_e440.row_w.y == _e449) {
+                            let _e452 = global[2u];
+                            phi_715_ = (_e440.row_w.z == _e452);
+                            phi_716_ = false;
                         } else {
-                            phi_726_ = bool();
-                            phi_727_ = true;
+                            phi_715_ = bool();
+                            phi_716_ = true;
                         }
-                        let _e456 = phi_726_;
-                        let _e458 = phi_727_;
-                        phi_728_ = _e456;
-                        phi_729_ = _e458;
+                        let _e455 = phi_715_;
+                        let _e457 = phi_716_;
+                        phi_717_ = _e455;
+                        phi_718_ = _e457;
                     } else {
-                        phi_728_ = bool();
-                        phi_729_ = true;
+                        phi_717_ = bool();
+                        phi_718_ = true;
                     }
-                    let _e460 = phi_728_;
-                    let _e462 = phi_729_;
-                    if _e462 {
-                        phi_733_ = false;
+                    let _e459 = phi_717_;
+                    let _e461 = phi_718_;
+                    if _e461 {
+                        phi_722_ = false;
                     } else {
-                        phi_733_ = _e460;
+                        phi_722_ = _e459;
                     }
-                    let _e464 = phi_733_;
-                    if _e464 {
-                        let _e466 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e468 = p.member.map_size;
-                        let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
-                        if (_e538 < 0.002f) {
-                            phi_815_ = _e538;
+                    let _e463 = phi_722_;
+                    if _e463 {
+                        let _e465 = samples.member[(0u + _e71.first_primitive)].normal;
+                        let _e467 = p.member.map_size;
+                        let _e537 = ((abs(((((_e440.row_x.x * _e465.x) + (_e440.row_x.y * _e465.y)) + (_e440.row_x.z * _e465.z)) / (((_e440.row_x.x * _e440.row_x.x) + (_e440.row_x.y * _e440.row_x.y)) + (_e440.row_x.z * _e440.row_x.z)))) + abs(((((_e440.row_y.x * _e465.x) + (_e440.row_y.y * _e465.y)) + (_e440.row_y.z * _e465.z)) / (((_e440.row_y.x * _e440.row_y.x) + (_e440.row_y.y * _e440.row_y.y)) + (_e440.row_y.z * _e440.row_y.z))))) / (abs(((((_e440.row_z.x * _e465.x) + (_e440.row_z.y * _e465.y)) + (_e440.row_z.z * _e465.z)) / (((_e440.row_z.x * _e440.row_z.x) + (_e440.row_z.y * _e440.row_z.y)) + (_e440.row_z.z * _e440.row_z.z)))) * f32(_e467)));
+                        if (_e537 < 0.002f) {
+                            phi_804_ = _e537;
                         } else {
-                            phi_815_ = 0.002f;
+                            phi_804_ = 0.002f;
                         }
-                        let _e541 = phi_815_;
-                        phi_932_ = _e541;
+                        let _e540 = phi_804_;
+                        phi_921_ = _e540;
                     } else {
-                        let _e543 = p.member.map_size;
-                        let _e549 = samples.member[(0u + _e72.first_primitive)].position;
-                        let _e560 = ((((_e441.row_w.x * _e549.x) + (_e441.row_w.y * _e549.y)) + (_e441.row_w.z * _e549.z)) + _e441.row_w.w);
-                        let _e573 = ((_e441.row_x.x - (_e441.row_w.x * _e430.point.uv.x)) / _e560);
-                        let _e574 = ((_e441.row_x.y - (_e441.row_w.y * _e430.point.uv.x)) / _e560);
-                        let _e575 = ((_e441.row_x.z - (_e441.row_w.z * _e430.point.uv.x)) / _e560);
-                        let _e588 = ((_e441.row_y.x - (_e441.row_w.x * _e430.point.uv.y)) / _e560);
-                        let _e589 = ((_e441.row_y.y - (_e441.row_w.y * _e430.point.uv.y)) / _e560);
-                        let _e590 = ((_e441.row_y.z - (_e441.row_w.z * _e430.point.uv.y)) / _e560);
-                        let _e596 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e601 = ((_e589 * _e596.z) - (_e596.y * _e590));
-                        let _e606 = ((_e590 * _e596.x) - (_e596.z * _e588));
-                        let _e611 = ((_e588 * _e596.y) - (_e596.x * _e589));
-                        let _e613 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e618 = ((_e574 * _e613.z) - (_e613.y * _e575));
-                        let _e623 = ((_e575 * _e613.x) - (_e613.z * _e573));
-                        let _e628 = ((_e573 * _e613.y) - (_e613.x * _e574));
-                        let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
-                        if (_e655 < 0.002f) {
-                            phi_931_ = _e655;
+                        let _e542 = p.member.map_size;
+                        let _e548 = samples.member[(0u + _e71.first_primitive)].position;
+                        let _e559 = ((((_e440.row_w.x * _e548.x) + (_e440.row_w.y * _e548.y)) + (_e440.row_w.z * _e548.z)) + _e440.row_w.w);
+                        let _e572 = ((_e440.row_x.x - (_e440.row_w.x * _e429.point.uv.x)) / _e559);
+                        let _e573 = ((_e440.row_x.y - (_e440.row_w.y * _e429.point.uv.x)) / _e559);
+                        let _e574 = ((_e440.row_x.z - (_e440.row_w.z * _e429.point.uv.x)) / _e559);
+                        let _e587 = ((_e440.row_y.x - (_e440.row_w.x * _e429.point.uv.y)) / _e559);
+                        let _e588 = ((_e440.row_y.y - (_e440.row_w.y * _e429.point.uv.y)) / _e559);
+                        let _e589 = ((_e440.row_y.z - (_e440.row_w.z * _e429.point.uv.y)) / _e559);
+                        let _e595 = samples.member[(0u + _e71.first_primitive)].normal;
+                        let _e600 = ((_e588 * _e595.z) - (_e595.y * _e589));
+                        let _e605 = ((_e589 * _e595.x) - (_e595.z * _e587));
+                        let _e610 = ((_e587 * _e595.y) - (_e595.x * _e588));
+                        let _e612 = samples.member[(0u + _e71.first_primitive)].normal;
+                        let _e617 = ((_e573 * _e612.z) - (_e612.y * _e574));
+                        let _e622 = ((_e574 * _e612.x) - (_e612.z * _e572));
+                        let _e627 = ((_e572 * _e612.y) - (_e612.x * _e573));
+                        let _e654 = ((abs(((((_e440.row_z.x * _e600) + (_e440.row_z.y * _e605)) + (_e440.row_z.z * _e610)) / (((_e572 * _e600) + (_e573 * _e605)) + (_e574 * _e610)))) + abs(((((_e440.row_z.x * _e617) + (_e440.row_z.y * _e622)) + (_e440.row_z.z * _e627)) / (((_e587 * _e617) + (_e588 * _e622)) + (_e589 * _e627))))) / f32(_e542));
+                        if (_e654 < 0.002f) {
+                            phi_920_ = _e654;
                         } else {
-                            phi_931_ = 0.002f;
+                            phi_920_ = 0.002f;
                         }
-                        let _e658 = phi_931_;
-                        phi_932_ = _e658;
+                        let _e657 = phi_920_;
+                        phi_921_ = _e657;
                     }
-                    let _e660 = phi_932_;
-                    phi_935_ = (_e430.point.depth - (0f * _e660));
+                    let _e659 = phi_921_;
+                    phi_924_ = (_e429.point.depth - (0f * _e659));
                 } else {
-                    phi_935_ = _e430.point.depth;
+                    phi_924_ = _e429.point.depth;
                 }
-                let _e664 = phi_935_;
-                let _e670 = p.member.map_size;
-                let _e671 = f32(_e670);
-                let _e674 = ((_e430.point.uv.x * _e671) - 0.5f);
-                let _e675 = ((_e430.point.uv.y * _e671) - 0.5f);
+                let _e663 = phi_924_;
+                let _e669 = p.member.map_size;
+                let _e670 = f32(_e669);
+                let _e673 = ((_e429.point.uv.x * _e670) - 0.5f);
+                let _e674 = ((_e429.point.uv.y * _e670) - 0.5f);
+                if (_e673 > -8388608f) {
+                    let _e686 = f32(select(0i, select(select(i32(_e673), i32(-2147483648), (_e673 < bitcast<f32>(3472883712u))), 2147483647i, (_e673 > bitcast<f32>(1325400063u))), (_e673 == _e673)));
+                    if (_e686 > _e673) {
+                        phi_953_ = 1f;
+                    } else {
+                        phi_953_ = 0f;
+                    }
+                    let _e689 = phi_953_;
+                    if (_e673 < 8388608f) {
+                        phi_958_ = (_e686 - _e689);
+                        phi_959_ = false;
+                    } else {
+                        phi_958_ = f32();
+                        phi_959_ = true;
+                    }
+                    let _e692 = phi_958_;
+                    let _e694 = phi_959_;
+                    phi_960_ = _e692;
+                    phi_961_ = _e694;
+                } else {
+                    phi_960_ = f32();
+                    phi_961_ = true;
+                }
+                let _e696 = phi_960_;
+                let _e698 = phi_961_;
+                if _e698 {
+                    phi_965_ = _e673;
+                } else {
+                    phi_965_ = _e696;
+                }
+                let _e700 = phi_965_;
                 if (_e674 > -8388608f) {
-                    let _e687 = f32(select(0i, select(select(i32(_e674), i32(-2147483648), (_e674 < bitcast<f32>(3472883712u))), 2147483647i, (_e674 > bitcast<f32>(1325400063u))), (_e674 == _e674)));
-                    if (_e687 > _e674) {
-                        phi_964_ = 1f;
+                    let _e712 = f32(select(0i, select(select(i32(_e674), i32(-2147483648), (_e674 < bitcast<f32>(3472883712u))), 2147483647i, (_e674 > bitcast<f32>(1325400063u))), (_e674 == _e674)));
+                    if (_e712 > _e674) {
+                        phi_985_ = 1f;
                     } else {
-                        phi_964_ = 0f;
+                        phi_985_ = 0f;
                     }
-                    let _e690 = phi_964_;
+                    let _e715 = phi_985_;
                     if (_e674 < 8388608f) {
-                        phi_969_ = (_e687 - _e690);
-                        phi_970_ = false;
+                        phi_990_ = (_e712 - _e715);
+                        phi_991_ = false;
                     } else {
-                        phi_969_ = f32();
-                        phi_970_ = true;
+                        phi_990_ = f32();
+                        phi_991_ = true;
                     }
-                    let _e693 = phi_969_;
-                    let _e695 = phi_970_;
-                    phi_971_ = _e693;
-                    phi_972_ = _e695;
+                    let _e718 = phi_990_;
+                    let _e720 = phi_991_;
+                    phi_992_ = _e718;
+                    phi_993_ = _e720;
                 } else {
-                    phi_971_ = f32();
-                    phi_972_ = true;
+                    phi_992_ = f32();
+                    phi_993_ = true;
                 }
-                let _e697 = phi_971_;
-                let _e699 = phi_972_;
-                if _e699 {
-                    phi_976_ = _e674;
+                let _e722 = phi_992_;
+                let _e724 = phi_993_;
+                if _e724 {
+                    phi_997_ = _e674;
                 } else {
-                    phi_976_ = _e697;
+                    phi_997_ = _e722;
                 }
-                let _e701 = phi_976_;
-                if (_e675 > -8388608f) {
-                    let _e713 = f32(select(0i, select(select(i32(_e675), i32(-2147483648), (_e675 < bitcast<f32>(3472883712u))), 2147483647i, (_e675 > bitcast<f32>(1325400063u))), (_e675 == _e675)));
-                    if (_e713 > _e675) {
-                        phi_996_ = 1f;
-                    } else {
-                        phi_996_ = 0f;
-                    }
-                    let _e716 = phi_996_;
-                    if (_e675 < 8388608f) {
-                        phi_1001_ = (_e713 - _e716);
-                        phi_1002_ = false;
-                    } else {
-                        phi_1001_ = f32();
-                        phi_1002_ = true;
-                    }
-                    let _e719 = phi_1001_;
-                    let _e721 = phi_1002_;
-                    phi_1003_ = _e719;
-                    phi_1004_ = _e721;
+                let _e726 = phi_997_;
+                let _e727 = (_e673 - _e700);
+                let _e728 = (_e674 - _e726);
+                let _e737 = select(0i, select(select(i32(_e700), i32(-2147483648), (_e700 < bitcast<f32>(3472883712u))), 2147483647i, (_e700 > bitcast<f32>(1325400063u))), (_e700 == _e700));
+                let _e746 = select(0i, select(select(i32(_e726), i32(-2147483648), (_e726 < bitcast<f32>(3472883712u))), 2147483647i, (_e726 > bitcast<f32>(1325400063u))), (_e726 == _e726));
+                let _e749 = ((1f - _e727) * (1f - _e728));
+                let _e751 = (_e727 * (1f - _e728));
+                let _e753 = ((1f - _e727) * _e728);
+                let _e754 = (_e727 * _e728);
+                let _e756 = p.member.test;
+                let _e757 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e756);
+                let _e759 = p.member.map_size;
+                let _e761 = local_3;
+                local = _e757;
+                let _e764 = ((_e761.level * _e759) * _e759);
+                let _e766 = (bitcast<i32>(_e759) - 1i);
+                if (_e737 > 0i) {
+                    phi_1046_ = _e737;
                 } else {
-                    phi_1003_ = f32();
-                    phi_1004_ = true;
+                    phi_1046_ = 0i;
                 }
-                let _e723 = phi_1003_;
-                let _e725 = phi_1004_;
-                if _e725 {
-                    phi_1008_ = _e675;
+                let _e769 = phi_1046_;
+                if (_e746 > 0i) {
+                    phi_1051_ = _e746;
                 } else {
-                    phi_1008_ = _e723;
+                    phi_1051_ = 0i;
                 }
-                let _e727 = phi_1008_;
-                let _e728 = (_e674 - _e701);
-                let _e729 = (_e675 - _e727);
-                let _e738 = select(0i, select(select(i32(_e701), i32(-2147483648), (_e701 < bitcast<f32>(3472883712u))), 2147483647i, (_e701 > bitcast<f32>(1325400063u))), (_e701 == _e701));
-                let _e747 = select(0i, select(select(i32(_e727), i32(-2147483648), (_e727 < bitcast<f32>(3472883712u))), 2147483647i, (_e727 > bitcast<f32>(1325400063u))), (_e727 == _e727));
-                let _e750 = ((1f - _e728) * (1f - _e729));
-                let _e752 = (_e728 * (1f - _e729));
-                let _e754 = ((1f - _e728) * _e729);
-                let _e755 = (_e728 * _e729);
-                let _e757 = p.member.test;
-                let _e758 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e757);
-                let _e760 = p.member.map_size;
-                let _e762 = local_3;
-                local = _e758;
-                let _e765 = ((_e762.level * _e760) * _e760);
-                let _e767 = (bitcast<i32>(_e760) - 1i);
-                if (_e738 > 0i) {
-                    phi_1057_ = _e738;
+                let _e772 = phi_1051_;
+                if (_e769 < _e766) {
+                    phi_1056_ = _e769;
                 } else {
-                    phi_1057_ = 0i;
+                    phi_1056_ = _e766;
                 }
-                let _e770 = phi_1057_;
-                if (_e747 > 0i) {
-                    phi_1062_ = _e747;
+                let _e775 = phi_1056_;
+                if (_e772 < _e766) {
+                    phi_1061_ = _e772;
                 } else {
-                    phi_1062_ = 0i;
+                    phi_1061_ = _e766;
                 }
-                let _e773 = phi_1062_;
-                if (_e770 < _e767) {
-                    phi_1067_ = _e770;
+                let _e778 = phi_1061_;
+                let _e779 = bitcast<u32>(_e775);
+                let _e781 = (_e737 + 1i);
+                let _e782 = (_e746 + 1i);
+                if (_e781 > 0i) {
+                    phi_1070_ = _e781;
                 } else {
-                    phi_1067_ = _e767;
+                    phi_1070_ = 0i;
                 }
-                let _e776 = phi_1067_;
-                if (_e773 < _e767) {
-                    phi_1072_ = _e773;
-                } else {
-                    phi_1072_ = _e767;
-                }
-                let _e779 = phi_1072_;
-                let _e780 = bitcast<u32>(_e776);
-                let _e782 = (_e738 + 1i);
-                let _e783 = (_e747 + 1i);
+                let _e785 = phi_1070_;
                 if (_e782 > 0i) {
-                    phi_1081_ = _e782;
+                    phi_1075_ = _e782;
                 } else {
-                    phi_1081_ = 0i;
+                    phi_1075_ = 0i;
                 }
-                let _e786 = phi_1081_;
-                if (_e783 > 0i) {
-                    phi_1086_ = _e783;
+                let _e788 = phi_1075_;
+                if (_e785 < _e766) {
+                    phi_1080_ = _e785;
                 } else {
-                    phi_1086_ = 0i;
+                    phi_1080_ = _e766;
                 }
-                let _e789 = phi_1086_;
-                if (_e786 < _e767) {
-                    phi_1091_ = _e786;
+                let _e791 = phi_1080_;
+                if (_e788 < _e766) {
+                    phi_1085_ = _e788;
                 } else {
-                    phi_1091_ = _e767;
+                    phi_1085_ = _e766;
                 }
-                let _e792 = phi_1091_;
-                if (_e789 < _e767) {
-                    phi_1096_ = _e789;
-                } else {
-                    phi_1096_ = _e767;
-                }
-                let _e795 = phi_1096_;
-                let _e796 = bitcast<u32>(_e792);
-                let _e798 = (bitcast<u32>(_e779) * _e760);
-                let _e799 = (bitcast<u32>(_e795) * _e760);
-                let _e804 = ((_e798 + _e780) + _e765);
-                let _e805 = ((_e798 + _e796) + _e765);
-                let _e806 = ((_e799 + _e780) + _e765);
-                let _e807 = ((_e799 + _e796) + _e765);
-                if (_e804 < _e60) {
+                let _e794 = phi_1085_;
+                let _e795 = bitcast<u32>(_e791);
+                let _e797 = (bitcast<u32>(_e778) * _e759);
+                let _e798 = (bitcast<u32>(_e794) * _e759);
+                let _e803 = ((_e797 + _e779) + _e764);
+                let _e804 = ((_e797 + _e795) + _e764);
+                let _e805 = ((_e798 + _e779) + _e764);
+                let _e806 = ((_e798 + _e795) + _e764);
+                if (_e803 < _e59) {
                 } else {
                     return;
                 }
-                let _e811 = map.member[(0u + _e804)];
-                if (_e805 < _e60) {
+                let _e810 = map.member[(0u + _e803)];
+                if (_e804 < _e59) {
                 } else {
                     return;
                 }
-                let _e823 = map.member[(0u + _e805)];
-                if (_e806 < _e60) {
+                let _e822 = map.member[(0u + _e804)];
+                if (_e805 < _e59) {
                 } else {
                     return;
                 }
-                let _e839 = map.member[(0u + _e806)];
-                if (_e807 < _e60) {
+                let _e838 = map.member[(0u + _e805)];
+                if (_e806 < _e59) {
                 } else {
                     return;
                 }
-                let _e855 = map.member[(0u + _e807)];
-                let _e869 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e811.x * _e750) + (_e823.x * _e752)) + (_e839.x * _e754)) + (_e855.x * _e755)), ((((_e811.y * _e750) + (_e823.y * _e752)) + (_e839.y * _e754)) + (_e855.y * _e755)), ((((_e811.z * _e750) + (_e823.z * _e752)) + (_e839.z * _e754)) + (_e855.z * _e755)), ((((_e811.w * _e750) + (_e823.w * _e752)) + (_e839.w * _e754)) + (_e855.w * _e755))), _e664);
-                let _e871 = p.member.fade_uv;
-                if (_e871 > 0f) {
-                    let _e874 = local_4;
-                    if ((_e874.level + 1u) == _e78) {
-                        let _e883 = p.member.fade_uv;
-                        let _e885 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e430.point.uv.x, (1f - _e430.point.uv.x));
-                        let _e887 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e430.point.uv.y, (1f - _e430.point.uv.y));
-                        let _e888 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e885, _e887);
-                        if (_e888 < _e883) {
-                            phi_1212_ = (1f - ((1f - _e869) * (_e888 / _e883)));
-                        } else {
-                            phi_1212_ = _e869;
-                        }
-                        let _e895 = phi_1212_;
-                        phi_1214_ = evaluate_Verdict(_e895, false);
-                        phi_1215_ = false;
-                    } else {
-                        phi_1214_ = evaluate_Verdict();
-                        phi_1215_ = true;
-                    }
-                    let _e898 = phi_1214_;
-                    let _e900 = phi_1215_;
-                    phi_1216_ = _e898;
-                    phi_1217_ = _e900;
-                } else {
-                    phi_1216_ = evaluate_Verdict();
-                    phi_1217_ = true;
-                }
-                let _e902 = phi_1216_;
-                let _e904 = phi_1217_;
-                if _e904 {
-                    phi_1222_ = evaluate_Verdict(_e869, false);
-                    phi_1223_ = false;
-                } else {
-                    phi_1222_ = evaluate_Verdict();
-                    phi_1223_ = true;
-                }
-                let _e907 = phi_1222_;
-                let _e909 = phi_1223_;
-                phi_1225_ = _e907;
-                phi_1226_ = _e902;
-                phi_1227_ = _e909;
+                let _e854 = map.member[(0u + _e806)];
+                let _e868 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e810.x * _e749) + (_e822.x * _e751)) + (_e838.x * _e753)) + (_e854.x * _e754)), ((((_e810.y * _e749) + (_e822.y * _e751)) + (_e838.y * _e753)) + (_e854.y * _e754)), ((((_e810.z * _e749) + (_e822.z * _e751)) + (_e838.z * _e753)) + (_e854.z * _e754)), ((((_e810.w * _e749) + (_e822.w * _e751)) + (_e838.w * _e753)) + (_e854.w * _e754))), _e663);
+                phi_1174_ = evaluate_Verdict(_e868, false);
+                phi_1175_ = evaluate_Verdict();
+                phi_1176_ = false;
             } else {
-                phi_1225_ = evaluate_Verdict();
-                phi_1226_ = evaluate_Verdict(1f, false);
-                phi_1227_ = true;
+                phi_1174_ = evaluate_Verdict();
+                phi_1175_ = evaluate_Verdict(1f, false);
+                phi_1176_ = true;
             }
-            let _e912 = phi_1225_;
-            let _e914 = phi_1226_;
-            let _e916 = phi_1227_;
-            if _e916 {
-            }
-            phi_1231_ = _e914;
-            phi_1232_ = _e912;
-            phi_1233_ = _e916;
+            let _e872 = phi_1174_;
+            let _e874 = phi_1175_;
+            let _e876 = phi_1176_;
+            phi_1177_ = _e874;
+            phi_1178_ = _e872;
+            phi_1179_ = _e876;
         }
-        let _e918 = phi_1231_;
-        let _e920 = phi_1232_;
-        let _e922 = phi_1233_;
-        if _e922 {
-            phi_1237_ = _e918;
+        let _e878 = phi_1177_;
+        let _e880 = phi_1178_;
+        let _e882 = phi_1179_;
+        if _e882 {
+            phi_1183_ = _e878;
         } else {
-            phi_1237_ = _e920;
+            phi_1183_ = _e880;
         }
-        let _e924 = phi_1237_;
-        if (_e72.first_primitive < arrayLength((&visibility.member))) {
+        let _e884 = phi_1183_;
+        if (_e71.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e72.first_primitive)] = _e924.visibility;
+        visibility.member[(0u + _e71.first_primitive)] = _e884.visibility;
     }
     return;
 }

@@ -50,12 +50,6 @@ struct lt_math_LightProjection {
     row_w: vec4<f32>,
 }
 
-struct lt_math_Evsm {
-    positive_exponent: f32,
-    negative_exponent: f32,
-    min_variance: f32,
-}
-
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
     light: abi_LightParams,
@@ -65,12 +59,18 @@ struct abi_ShadowParams {
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_38 {
+struct type_35 {
     member: abi_ShadowParams,
+}
+
+struct lt_math_Evsm {
+    positive_exponent: f32,
+    negative_exponent: f32,
+    min_variance: f32,
 }
 
 struct lt_math_OneLevel {
@@ -82,7 +82,7 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_38;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(2) 

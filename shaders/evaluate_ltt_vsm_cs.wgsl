@@ -59,11 +59,11 @@ struct abi_ShadowParams {
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_40 {
+struct type_38 {
     member: abi_ShadowParams,
 }
 
@@ -82,7 +82,7 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_40;
+var<uniform> p: type_38;
 @group(0) @binding(2) 
 var<storage> map: type_18;
 @group(0) @binding(3) 

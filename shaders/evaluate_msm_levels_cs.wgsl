@@ -55,11 +55,11 @@ struct abi_ShadowParams {
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_32 {
+struct type_31 {
     member: abi_ShadowParams,
 }
 
@@ -88,7 +88,7 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_32;
+var<uniform> p: type_31;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
@@ -97,37 +97,37 @@ var<storage, read_write> visibility: type_13;
 var<storage> levels: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_149_: lt_bvh_traverse_Tree;
-    var phi_150_: bool;
-    var phi_151_: lt_bvh_traverse_Tree;
-    var phi_152_: bool;
-    var phi_157_: lt_bvh_traverse_Tree;
+    var phi_146_: lt_bvh_traverse_Tree;
+    var phi_147_: bool;
+    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_149_: bool;
+    var phi_154_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_149_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_150_ = false;
+            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_147_ = false;
         } else {
-            phi_149_ = lt_bvh_traverse_Tree();
-            phi_150_ = true;
+            phi_146_ = lt_bvh_traverse_Tree();
+            phi_147_ = true;
         }
-        let _e55 = phi_149_;
-        let _e57 = phi_150_;
-        phi_151_ = _e55;
-        phi_152_ = _e57;
+        let _e54 = phi_146_;
+        let _e56 = phi_147_;
+        phi_148_ = _e54;
+        phi_149_ = _e56;
     } else {
-        phi_151_ = lt_bvh_traverse_Tree();
-        phi_152_ = true;
+        phi_148_ = lt_bvh_traverse_Tree();
+        phi_149_ = true;
     }
-    let _e59 = phi_151_;
-    let _e61 = phi_152_;
-    if _e61 {
-        phi_157_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e58 = phi_148_;
+    let _e60 = phi_149_;
+    if _e60 {
+        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_157_ = _e59;
+        phi_154_ = _e58;
     }
-    let _e66 = phi_157_;
-    return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
+    let _e65 = phi_154_;
+    return lt_bvh_traverse_Tree(_e65.root, _e65.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -135,1165 +135,1103 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_184_: f32;
-    var phi_185_: f32;
-    var phi_186_: f32;
-    var phi_203_: f32;
-    var phi_204_: f32;
-    var phi_205_: f32;
-    var phi_221_: f32;
-    var phi_222_: f32;
-    var phi_223_: f32;
-    var phi_239_: f32;
-    var phi_240_: f32;
-    var phi_241_: f32;
-    var phi_257_: f32;
-    var phi_258_: f32;
-    var phi_259_: f32;
+    var phi_181_: f32;
+    var phi_182_: f32;
+    var phi_183_: f32;
+    var phi_200_: f32;
+    var phi_201_: f32;
+    var phi_202_: f32;
+    var phi_218_: f32;
+    var phi_219_: f32;
+    var phi_220_: f32;
+    var phi_236_: f32;
+    var phi_237_: f32;
+    var phi_238_: f32;
+    var phi_254_: f32;
+    var phi_255_: f32;
+    var phi_256_: f32;
+    var phi_291_: bool;
+    var phi_292_: bool;
+    var phi_293_: bool;
     var phi_294_: bool;
     var phi_295_: bool;
     var phi_296_: bool;
-    var phi_297_: bool;
-    var phi_298_: bool;
-    var phi_299_: bool;
-    var phi_303_: bool;
-    var phi_614_: f32;
-    var phi_615_: f32;
-    var phi_616_: f32;
-    var phi_633_: f32;
-    var phi_634_: f32;
-    var phi_635_: f32;
-    var phi_652_: f32;
-    var phi_653_: f32;
-    var phi_654_: f32;
-    var phi_671_: f32;
-    var phi_672_: f32;
-    var phi_673_: f32;
-    var phi_696_: f32;
-    var phi_697_: f32;
-    var phi_698_: f32;
-    var phi_709_: f32;
-    var phi_724_: f32;
-    var phi_726_: lt_bvh_slab_Span;
+    var phi_300_: bool;
+    var phi_611_: f32;
+    var phi_612_: f32;
+    var phi_613_: f32;
+    var phi_630_: f32;
+    var phi_631_: f32;
+    var phi_632_: f32;
+    var phi_649_: f32;
+    var phi_650_: f32;
+    var phi_651_: f32;
+    var phi_668_: f32;
+    var phi_669_: f32;
+    var phi_670_: f32;
+    var phi_693_: f32;
+    var phi_694_: f32;
+    var phi_695_: f32;
+    var phi_706_: f32;
+    var phi_721_: f32;
+    var phi_723_: lt_bvh_slab_Span;
+    var phi_781_: f32;
+    var phi_782_: f32;
+    var phi_783_: f32;
     var phi_784_: f32;
     var phi_785_: f32;
-    var phi_786_: f32;
-    var phi_787_: f32;
-    var phi_788_: f32;
-    var phi_789_: bool;
-    var phi_793_: f32;
+    var phi_786_: bool;
+    var phi_790_: f32;
+    var phi_805_: f32;
+    var phi_806_: f32;
+    var phi_807_: f32;
     var phi_808_: f32;
     var phi_809_: f32;
     var phi_810_: f32;
     var phi_811_: f32;
-    var phi_812_: f32;
+    var phi_812_: bool;
     var phi_813_: f32;
     var phi_814_: f32;
     var phi_815_: bool;
-    var phi_816_: f32;
-    var phi_817_: f32;
-    var phi_818_: bool;
-    var phi_822_: f32;
+    var phi_819_: f32;
 
-    let _e46 = (*param_4);
+    let _e45 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_186_ = param_7;
+        phi_183_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_185_ = 0f;
+            phi_182_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_184_ = 1f;
+                phi_181_ = 1f;
             } else {
-                phi_184_ = param_7;
+                phi_181_ = param_7;
             }
-            let _e53 = phi_184_;
-            phi_185_ = _e53;
+            let _e52 = phi_181_;
+            phi_182_ = _e52;
         }
-        let _e55 = phi_185_;
-        phi_186_ = _e55;
+        let _e54 = phi_182_;
+        phi_183_ = _e54;
     }
-    let _e57 = phi_186_;
-    let _e58 = (_e57 - 0.00000047683716f);
+    let _e56 = phi_183_;
+    let _e57 = (_e56 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_205_ = param_5.x;
+        phi_202_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_204_ = 0f;
+            phi_201_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_203_ = 1f;
+                phi_200_ = 1f;
             } else {
-                phi_203_ = param_5.x;
+                phi_200_ = param_5.x;
             }
-            let _e66 = phi_203_;
-            phi_204_ = _e66;
+            let _e65 = phi_200_;
+            phi_201_ = _e65;
         }
-        let _e68 = phi_204_;
-        phi_205_ = _e68;
+        let _e67 = phi_201_;
+        phi_202_ = _e67;
     }
-    let _e70 = phi_205_;
+    let _e69 = phi_202_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_223_ = param_5.y;
+        phi_220_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_222_ = 0f;
+            phi_219_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_221_ = 1f;
+                phi_218_ = 1f;
             } else {
-                phi_221_ = param_5.y;
+                phi_218_ = param_5.y;
             }
-            let _e78 = phi_221_;
-            phi_222_ = _e78;
+            let _e77 = phi_218_;
+            phi_219_ = _e77;
         }
-        let _e80 = phi_222_;
-        phi_223_ = _e80;
+        let _e79 = phi_219_;
+        phi_220_ = _e79;
     }
-    let _e82 = phi_223_;
+    let _e81 = phi_220_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_241_ = param_5.z;
+        phi_238_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_240_ = 0f;
+            phi_237_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_239_ = 1f;
+                phi_236_ = 1f;
             } else {
-                phi_239_ = param_5.z;
+                phi_236_ = param_5.z;
             }
-            let _e90 = phi_239_;
-            phi_240_ = _e90;
+            let _e89 = phi_236_;
+            phi_237_ = _e89;
         }
-        let _e92 = phi_240_;
-        phi_241_ = _e92;
+        let _e91 = phi_237_;
+        phi_238_ = _e91;
     }
-    let _e94 = phi_241_;
+    let _e93 = phi_238_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_259_ = param_5.w;
+        phi_256_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_258_ = 0f;
+            phi_255_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_257_ = 1f;
+                phi_254_ = 1f;
             } else {
-                phi_257_ = param_5.w;
+                phi_254_ = param_5.w;
             }
-            let _e102 = phi_257_;
-            phi_258_ = _e102;
+            let _e101 = phi_254_;
+            phi_255_ = _e101;
         }
-        let _e104 = phi_258_;
-        phi_259_ = _e104;
+        let _e103 = phi_255_;
+        phi_256_ = _e103;
     }
-    let _e106 = phi_259_;
-    let _e107 = (_e70 - _e58);
-    let _e108 = (_e82 - _e58);
-    let _e109 = (_e94 - _e58);
-    let _e110 = (_e106 - _e58);
-    let _e121 = ((((_e107 * param_6.x) + (_e108 * param_6.y)) + (_e109 * param_6.z)) + (_e110 * param_6.w));
-    if ((bitcast<u32>(_e121) & 2147483647u) > 2139095040u) {
-        phi_816_ = _e121;
-        phi_817_ = f32();
-        phi_818_ = true;
+    let _e105 = phi_256_;
+    let _e106 = (_e69 - _e57);
+    let _e107 = (_e81 - _e57);
+    let _e108 = (_e93 - _e57);
+    let _e109 = (_e105 - _e57);
+    let _e120 = ((((_e106 * param_6.x) + (_e107 * param_6.y)) + (_e108 * param_6.z)) + (_e109 * param_6.w));
+    if ((bitcast<u32>(_e120) & 2147483647u) > 2139095040u) {
+        phi_813_ = _e120;
+        phi_814_ = f32();
+        phi_815_ = true;
     } else {
-        if (_e107 >= 0f) {
-            if (_e108 >= 0f) {
-                if (_e109 >= 0f) {
-                    phi_294_ = (_e110 >= 0f);
-                    phi_295_ = false;
+        if (_e106 >= 0f) {
+            if (_e107 >= 0f) {
+                if (_e108 >= 0f) {
+                    phi_291_ = (_e109 >= 0f);
+                    phi_292_ = false;
                 } else {
-                    phi_294_ = bool();
-                    phi_295_ = true;
+                    phi_291_ = bool();
+                    phi_292_ = true;
                 }
-                let _e130 = phi_294_;
-                let _e132 = phi_295_;
-                phi_296_ = _e130;
-                phi_297_ = _e132;
+                let _e129 = phi_291_;
+                let _e131 = phi_292_;
+                phi_293_ = _e129;
+                phi_294_ = _e131;
             } else {
-                phi_296_ = bool();
-                phi_297_ = true;
+                phi_293_ = bool();
+                phi_294_ = true;
             }
-            let _e134 = phi_296_;
-            let _e136 = phi_297_;
-            phi_298_ = _e134;
-            phi_299_ = _e136;
+            let _e133 = phi_293_;
+            let _e135 = phi_294_;
+            phi_295_ = _e133;
+            phi_296_ = _e135;
         } else {
-            phi_298_ = bool();
-            phi_299_ = true;
+            phi_295_ = bool();
+            phi_296_ = true;
         }
-        let _e138 = phi_298_;
-        let _e140 = phi_299_;
-        if _e140 {
-            phi_303_ = false;
+        let _e137 = phi_295_;
+        let _e139 = phi_296_;
+        if _e139 {
+            phi_300_ = false;
         } else {
-            phi_303_ = _e138;
+            phi_300_ = _e137;
         }
-        let _e142 = phi_303_;
-        if _e142 {
-            phi_813_ = 1f;
-            phi_814_ = f32();
-            phi_815_ = true;
+        let _e141 = phi_300_;
+        if _e141 {
+            phi_810_ = 1f;
+            phi_811_ = f32();
+            phi_812_ = true;
         } else {
-            let _e143 = (0.5f * _e46);
-            let _e144 = (1f - _e46);
-            let _e146 = (param_6.x * _e144);
-            let _e148 = (param_6.y * _e144);
-            let _e150 = (param_6.z * _e144);
-            let _e152 = (param_6.w * _e144);
-            let _e153 = -(_e58);
-            let _e154 = (1f - _e58);
-            let _e156 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e70);
-            let _e158 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e82);
-            let _e160 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e94);
-            let _e162 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e106);
+            let _e142 = (0.5f * _e45);
+            let _e143 = (1f - _e45);
+            let _e145 = (param_6.x * _e143);
+            let _e147 = (param_6.y * _e143);
+            let _e149 = (param_6.z * _e143);
+            let _e151 = (param_6.w * _e143);
+            let _e152 = -(_e57);
+            let _e153 = (1f - _e57);
+            let _e155 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e69);
+            let _e157 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e81);
+            let _e159 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e93);
+            let _e161 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e105);
+            let _e162 = (_e106 - _e107);
             let _e163 = (_e107 - _e108);
             let _e164 = (_e108 - _e109);
-            let _e165 = (_e109 - _e110);
-            let _e166 = (_e110 - _e107);
+            let _e165 = (_e109 - _e106);
+            let _e166 = (_e162 * _e162);
             let _e167 = (_e163 * _e163);
             let _e168 = (_e164 * _e164);
             let _e169 = (_e165 * _e165);
-            let _e170 = (_e166 * _e166);
+            let _e170 = (_e106 - _e108);
             let _e171 = (_e107 - _e109);
-            let _e172 = (_e108 - _e110);
+            let _e172 = (_e108 - _e106);
             let _e173 = (_e109 - _e107);
-            let _e174 = (_e110 - _e108);
+            let _e174 = (_e170 * _e170);
             let _e175 = (_e171 * _e171);
             let _e176 = (_e172 * _e172);
             let _e177 = (_e173 * _e173);
-            let _e178 = (_e174 * _e174);
-            let _e183 = ((_e146 * _e148) * _e167);
-            let _e184 = ((_e148 * _e150) * _e168);
-            let _e185 = ((_e150 * _e152) * _e169);
-            let _e186 = ((_e152 * _e146) * _e170);
-            let _e195 = (((0.5f * _e146) * _e150) * _e175);
-            let _e196 = (((0.5f * _e148) * _e152) * _e176);
-            let _e197 = (((0.5f * _e150) * _e146) * _e177);
-            let _e198 = (((0.5f * _e152) * _e148) * _e178);
+            let _e182 = ((_e145 * _e147) * _e166);
+            let _e183 = ((_e147 * _e149) * _e167);
+            let _e184 = ((_e149 * _e151) * _e168);
+            let _e185 = ((_e151 * _e145) * _e169);
+            let _e194 = (((0.5f * _e145) * _e149) * _e174);
+            let _e195 = (((0.5f * _e147) * _e151) * _e175);
+            let _e196 = (((0.5f * _e149) * _e145) * _e176);
+            let _e197 = (((0.5f * _e151) * _e147) * _e177);
+            let _e198 = (_e106 * _e107);
             let _e199 = (_e107 * _e108);
             let _e200 = (_e108 * _e109);
-            let _e201 = (_e109 * _e110);
-            let _e202 = (_e110 * _e107);
+            let _e201 = (_e109 * _e106);
+            let _e202 = (_e106 * _e108);
             let _e203 = (_e107 * _e109);
-            let _e204 = (_e108 * _e110);
+            let _e204 = (_e108 * _e106);
             let _e205 = (_e109 * _e107);
-            let _e206 = (_e110 * _e108);
+            let _e206 = (_e182 * _e198);
             let _e207 = (_e183 * _e199);
             let _e208 = (_e184 * _e200);
             let _e209 = (_e185 * _e201);
-            let _e210 = (_e186 * _e202);
+            let _e210 = (_e194 * _e202);
             let _e211 = (_e195 * _e203);
             let _e212 = (_e196 * _e204);
             let _e213 = (_e197 * _e205);
-            let _e214 = (_e198 * _e206);
-            let _e215 = (_e70 * _e70);
-            let _e216 = (_e82 * _e82);
-            let _e217 = (_e94 * _e94);
-            let _e218 = (_e106 * _e106);
-            let _e219 = (_e156 * _e156);
-            let _e220 = (_e158 * _e158);
-            let _e221 = (_e160 * _e160);
-            let _e222 = (_e162 * _e162);
-            let _e223 = (_e143 * _e146);
-            let _e224 = (_e143 * _e148);
-            let _e225 = (_e143 * _e150);
-            let _e226 = (_e143 * _e152);
-            let _e235 = (((_e223 * _e107) * _e215) * _e153);
-            let _e236 = (((_e224 * _e108) * _e216) * _e153);
-            let _e237 = (((_e225 * _e109) * _e217) * _e153);
-            let _e238 = (((_e226 * _e110) * _e218) * _e153);
-            let _e247 = (((_e223 * _e107) * _e219) * _e154);
-            let _e248 = (((_e224 * _e108) * _e220) * _e154);
-            let _e249 = (((_e225 * _e109) * _e221) * _e154);
-            let _e250 = (((_e226 * _e110) * _e222) * _e154);
-            let _e418 = (((((((_e183 * _e150) * _e168) * _e175) + (_e143 * (((_e183 * ((_e215 * _e216) + (_e219 * _e220))) + (_e195 * ((_e215 * _e217) + (_e219 * _e221)))) + ((_e223 * _e215) * _e219)))) + ((((_e184 * _e152) * _e169) * _e176) + (_e143 * (((_e184 * ((_e216 * _e217) + (_e220 * _e221))) + (_e196 * ((_e216 * _e218) + (_e220 * _e222)))) + ((_e224 * _e216) * _e220))))) + ((((_e185 * _e146) * _e170) * _e177) + (_e143 * (((_e185 * ((_e217 * _e218) + (_e221 * _e222))) + (_e197 * ((_e217 * _e215) + (_e221 * _e219)))) + ((_e225 * _e217) * _e221))))) + ((((_e186 * _e148) * _e167) * _e178) + (_e143 * (((_e186 * ((_e218 * _e215) + (_e222 * _e219))) + (_e198 * ((_e218 * _e216) + (_e222 * _e220)))) + ((_e226 * _e218) * _e222)))));
-            let _e421 = (((_e143 * _e143) * _e153) * _e154);
-            let _e424 = (((((((_e207 * _e199) + (_e211 * _e203)) + (_e107 * ((_e235 * _e153) + (_e247 * _e154)))) + (((_e208 * _e200) + (_e212 * _e204)) + (_e108 * ((_e236 * _e153) + (_e248 * _e154))))) + (((_e209 * _e201) + (_e213 * _e205)) + (_e109 * ((_e237 * _e153) + (_e249 * _e154))))) + (((_e210 * _e202) + (_e214 * _e206)) + (_e110 * ((_e238 * _e153) + (_e250 * _e154))))) + ((_e421 * _e153) * _e154));
-            let _e430 = (_e424 < 0.0000000000000000000000000000000001f);
-            if _e430 {
-                if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
-                    phi_616_ = _e107;
+            let _e214 = (_e69 * _e69);
+            let _e215 = (_e81 * _e81);
+            let _e216 = (_e93 * _e93);
+            let _e217 = (_e105 * _e105);
+            let _e218 = (_e155 * _e155);
+            let _e219 = (_e157 * _e157);
+            let _e220 = (_e159 * _e159);
+            let _e221 = (_e161 * _e161);
+            let _e222 = (_e142 * _e145);
+            let _e223 = (_e142 * _e147);
+            let _e224 = (_e142 * _e149);
+            let _e225 = (_e142 * _e151);
+            let _e234 = (((_e222 * _e106) * _e214) * _e152);
+            let _e235 = (((_e223 * _e107) * _e215) * _e152);
+            let _e236 = (((_e224 * _e108) * _e216) * _e152);
+            let _e237 = (((_e225 * _e109) * _e217) * _e152);
+            let _e246 = (((_e222 * _e106) * _e218) * _e153);
+            let _e247 = (((_e223 * _e107) * _e219) * _e153);
+            let _e248 = (((_e224 * _e108) * _e220) * _e153);
+            let _e249 = (((_e225 * _e109) * _e221) * _e153);
+            let _e417 = (((((((_e182 * _e149) * _e167) * _e174) + (_e142 * (((_e182 * ((_e214 * _e215) + (_e218 * _e219))) + (_e194 * ((_e214 * _e216) + (_e218 * _e220)))) + ((_e222 * _e214) * _e218)))) + ((((_e183 * _e151) * _e168) * _e175) + (_e142 * (((_e183 * ((_e215 * _e216) + (_e219 * _e220))) + (_e195 * ((_e215 * _e217) + (_e219 * _e221)))) + ((_e223 * _e215) * _e219))))) + ((((_e184 * _e145) * _e169) * _e176) + (_e142 * (((_e184 * ((_e216 * _e217) + (_e220 * _e221))) + (_e196 * ((_e216 * _e214) + (_e220 * _e218)))) + ((_e224 * _e216) * _e220))))) + ((((_e185 * _e147) * _e166) * _e177) + (_e142 * (((_e185 * ((_e217 * _e214) + (_e221 * _e218))) + (_e197 * ((_e217 * _e215) + (_e221 * _e219)))) + ((_e225 * _e217) * _e221)))));
+            let _e420 = (((_e142 * _e142) * _e152) * _e153);
+            let _e423 = (((((((_e206 * _e198) + (_e210 * _e202)) + (_e106 * ((_e234 * _e152) + (_e246 * _e153)))) + (((_e207 * _e199) + (_e211 * _e203)) + (_e107 * ((_e235 * _e152) + (_e247 * _e153))))) + (((_e208 * _e200) + (_e212 * _e204)) + (_e108 * ((_e236 * _e152) + (_e248 * _e153))))) + (((_e209 * _e201) + (_e213 * _e205)) + (_e109 * ((_e237 * _e152) + (_e249 * _e153))))) + ((_e420 * _e152) * _e153));
+            let _e429 = (_e423 < 0.0000000000000000000000000000000001f);
+            if _e429 {
+                if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
+                    phi_613_ = _e106;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_615_ = 0f;
+                        phi_612_ = 0f;
+                    } else {
+                        if (_e106 < 0f) {
+                            phi_611_ = 0f;
+                        } else {
+                            phi_611_ = 1f;
+                        }
+                        let _e438 = phi_611_;
+                        phi_612_ = _e438;
+                    }
+                    let _e440 = phi_612_;
+                    phi_613_ = _e440;
+                }
+                let _e442 = phi_613_;
+                if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
+                    phi_632_ = _e107;
+                } else {
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_631_ = 0f;
                     } else {
                         if (_e107 < 0f) {
-                            phi_614_ = 0f;
+                            phi_630_ = 0f;
                         } else {
-                            phi_614_ = 1f;
+                            phi_630_ = 1f;
                         }
-                        let _e439 = phi_614_;
-                        phi_615_ = _e439;
+                        let _e451 = phi_630_;
+                        phi_631_ = _e451;
                     }
-                    let _e441 = phi_615_;
-                    phi_616_ = _e441;
+                    let _e453 = phi_631_;
+                    phi_632_ = _e453;
                 }
-                let _e443 = phi_616_;
+                let _e455 = phi_632_;
                 if ((bitcast<u32>(_e108) & 2147483647u) > 2139095040u) {
-                    phi_635_ = _e108;
+                    phi_651_ = _e108;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_634_ = 0f;
+                        phi_650_ = 0f;
                     } else {
                         if (_e108 < 0f) {
-                            phi_633_ = 0f;
+                            phi_649_ = 0f;
                         } else {
-                            phi_633_ = 1f;
+                            phi_649_ = 1f;
                         }
-                        let _e452 = phi_633_;
-                        phi_634_ = _e452;
+                        let _e464 = phi_649_;
+                        phi_650_ = _e464;
                     }
-                    let _e454 = phi_634_;
-                    phi_635_ = _e454;
+                    let _e466 = phi_650_;
+                    phi_651_ = _e466;
                 }
-                let _e456 = phi_635_;
+                let _e468 = phi_651_;
                 if ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u) {
-                    phi_654_ = _e109;
+                    phi_670_ = _e109;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_653_ = 0f;
+                        phi_669_ = 0f;
                     } else {
                         if (_e109 < 0f) {
-                            phi_652_ = 0f;
+                            phi_668_ = 0f;
                         } else {
-                            phi_652_ = 1f;
+                            phi_668_ = 1f;
                         }
-                        let _e465 = phi_652_;
-                        phi_653_ = _e465;
+                        let _e477 = phi_668_;
+                        phi_669_ = _e477;
                     }
-                    let _e467 = phi_653_;
-                    phi_654_ = _e467;
+                    let _e479 = phi_669_;
+                    phi_670_ = _e479;
                 }
-                let _e469 = phi_654_;
-                if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-                    phi_673_ = _e110;
+                let _e481 = phi_670_;
+                let _e489 = (((((_e442 * _e145) + (_e455 * _e147)) + (_e468 * _e149)) + (_e481 * _e151)) + _e142);
+                if ((bitcast<u32>(_e489) & 2147483647u) > 2139095040u) {
+                    phi_695_ = _e489;
                 } else {
-                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_672_ = 0f;
+                    if (_e489 < 0f) {
+                        phi_694_ = 0f;
                     } else {
-                        if (_e110 < 0f) {
-                            phi_671_ = 0f;
+                        if (_e489 > 1f) {
+                            phi_693_ = 1f;
                         } else {
-                            phi_671_ = 1f;
+                            phi_693_ = _e489;
                         }
-                        let _e478 = phi_671_;
-                        phi_672_ = _e478;
+                        let _e496 = phi_693_;
+                        phi_694_ = _e496;
                     }
-                    let _e480 = phi_672_;
-                    phi_673_ = _e480;
+                    let _e498 = phi_694_;
+                    phi_695_ = _e498;
                 }
-                let _e482 = phi_673_;
-                let _e490 = (((((_e443 * _e146) + (_e456 * _e148)) + (_e469 * _e150)) + (_e482 * _e152)) + _e143);
-                if ((bitcast<u32>(_e490) & 2147483647u) > 2139095040u) {
-                    phi_698_ = _e490;
-                } else {
-                    if (_e490 < 0f) {
-                        phi_697_ = 0f;
-                    } else {
-                        if (_e490 > 1f) {
-                            phi_696_ = 1f;
-                        } else {
-                            phi_696_ = _e490;
-                        }
-                        let _e497 = phi_696_;
-                        phi_697_ = _e497;
-                    }
-                    let _e499 = phi_697_;
-                    phi_698_ = _e499;
-                }
-                let _e501 = phi_698_;
-                phi_811_ = _e501;
-                phi_812_ = f32();
+                let _e500 = phi_695_;
+                phi_808_ = _e500;
+                phi_809_ = f32();
             } else {
-                let _e503 = ((0.5f * -(((((((((_e207 * (_e107 + _e108)) + (_e211 * (_e107 + _e109))) + (_e235 * (_e107 + _e153))) + (_e247 * (_e107 + _e154))) + ((((_e208 * (_e108 + _e109)) + (_e212 * (_e108 + _e110))) + (_e236 * (_e108 + _e153))) + (_e248 * (_e108 + _e154)))) + ((((_e209 * (_e109 + _e110)) + (_e213 * (_e109 + _e107))) + (_e237 * (_e109 + _e153))) + (_e249 * (_e109 + _e154)))) + ((((_e210 * (_e110 + _e107)) + (_e214 * (_e110 + _e108))) + (_e238 * (_e110 + _e153))) + (_e250 * (_e110 + _e154)))) + (_e421 * (_e153 + _e154))))) / _e424);
-                let _e504 = ((((((((_e207 + _e211) + _e235) + _e247) + (((_e208 + _e212) + _e236) + _e248)) + (((_e209 + _e213) + _e237) + _e249)) + (((_e210 + _e214) + _e238) + _e250)) + _e421) / _e424);
-                let _e506 = ((_e503 * _e503) - _e504);
-                if (_e506 > 0f) {
-                    phi_709_ = sqrt(_e506);
+                let _e502 = ((0.5f * -(((((((((_e206 * (_e106 + _e107)) + (_e210 * (_e106 + _e108))) + (_e234 * (_e106 + _e152))) + (_e246 * (_e106 + _e153))) + ((((_e207 * (_e107 + _e108)) + (_e211 * (_e107 + _e109))) + (_e235 * (_e107 + _e152))) + (_e247 * (_e107 + _e153)))) + ((((_e208 * (_e108 + _e109)) + (_e212 * (_e108 + _e106))) + (_e236 * (_e108 + _e152))) + (_e248 * (_e108 + _e153)))) + ((((_e209 * (_e109 + _e106)) + (_e213 * (_e109 + _e107))) + (_e237 * (_e109 + _e152))) + (_e249 * (_e109 + _e153)))) + (_e420 * (_e152 + _e153))))) / _e423);
+                let _e503 = ((((((((_e206 + _e210) + _e234) + _e246) + (((_e207 + _e211) + _e235) + _e247)) + (((_e208 + _e212) + _e236) + _e248)) + (((_e209 + _e213) + _e237) + _e249)) + _e420) / _e423);
+                let _e505 = ((_e502 * _e502) - _e503);
+                if (_e505 > 0f) {
+                    phi_706_ = sqrt(_e505);
                 } else {
-                    phi_709_ = 0f;
+                    phi_706_ = 0f;
                 }
-                let _e510 = phi_709_;
-                if (_e503 > 0f) {
-                    let _e513 = (-(_e503) - _e510);
-                    phi_726_ = lt_bvh_slab_Span(_e513, (_e504 / _e513));
+                let _e509 = phi_706_;
+                if (_e502 > 0f) {
+                    let _e512 = (-(_e502) - _e509);
+                    phi_723_ = lt_bvh_slab_Span(_e512, (_e503 / _e512));
                 } else {
-                    let _e516 = (_e510 - _e503);
-                    if (_e516 > 0f) {
-                        phi_724_ = (_e504 / _e516);
+                    let _e515 = (_e509 - _e502);
+                    if (_e515 > 0f) {
+                        phi_721_ = (_e503 / _e515);
                     } else {
-                        phi_724_ = 0f;
+                        phi_721_ = 0f;
                     }
-                    let _e520 = phi_724_;
-                    phi_726_ = lt_bvh_slab_Span(_e520, _e516);
+                    let _e519 = phi_721_;
+                    phi_723_ = lt_bvh_slab_Span(_e519, _e515);
                 }
-                let _e523 = phi_726_;
-                if (_e523.near >= 0f) {
-                    phi_787_ = 1f;
-                    phi_788_ = f32();
-                    phi_789_ = true;
+                let _e522 = phi_723_;
+                if (_e522.near >= 0f) {
+                    phi_784_ = 1f;
+                    phi_785_ = f32();
+                    phi_786_ = true;
                 } else {
-                    let _e527 = (_e523.far <= 0f);
-                    if _e527 {
-                        phi_785_ = (_e418 / _e424);
-                        phi_786_ = f32();
+                    let _e526 = (_e522.far <= 0f);
+                    if _e526 {
+                        phi_782_ = (_e417 / _e423);
+                        phi_783_ = f32();
                     } else {
-                        let _e538 = (((((_e146 * _e107) + (_e148 * _e108)) + (_e150 * _e109)) + (_e152 * _e110)) + (_e143 * (_e153 + _e154)));
-                        let _e554 = (((((_e146 * (_e107 * _e107)) + (_e148 * (_e108 * _e108))) + (_e150 * (_e109 * _e109))) + (_e152 * (_e110 * _e110))) + (_e143 * ((_e153 * _e153) + (_e154 * _e154))));
-                        if (-(_e523.near) <= _e523.far) {
-                            phi_784_ = (1f - (((_e523.near * _e523.near) * ((_e523.far * _e554) - _e538)) / (_e523.far - _e523.near)));
+                        let _e537 = (((((_e145 * _e106) + (_e147 * _e107)) + (_e149 * _e108)) + (_e151 * _e109)) + (_e142 * (_e152 + _e153)));
+                        let _e553 = (((((_e145 * (_e106 * _e106)) + (_e147 * (_e107 * _e107))) + (_e149 * (_e108 * _e108))) + (_e151 * (_e109 * _e109))) + (_e142 * ((_e152 * _e152) + (_e153 * _e153))));
+                        if (-(_e522.near) <= _e522.far) {
+                            phi_781_ = (1f - (((_e522.near * _e522.near) * ((_e522.far * _e553) - _e537)) / (_e522.far - _e522.near)));
                         } else {
-                            phi_784_ = ((_e418 / _e424) + (((_e523.far * _e523.far) * (_e538 - (_e523.near * _e554))) / (_e523.far - _e523.near)));
+                            phi_781_ = ((_e417 / _e423) + (((_e522.far * _e522.far) * (_e537 - (_e522.near * _e553))) / (_e522.far - _e522.near)));
                         }
-                        let _e573 = phi_784_;
-                        phi_785_ = f32();
-                        phi_786_ = _e573;
+                        let _e572 = phi_781_;
+                        phi_782_ = f32();
+                        phi_783_ = _e572;
                     }
-                    let _e575 = phi_785_;
-                    let _e577 = phi_786_;
-                    phi_787_ = _e575;
-                    phi_788_ = _e577;
-                    phi_789_ = _e527;
+                    let _e574 = phi_782_;
+                    let _e576 = phi_783_;
+                    phi_784_ = _e574;
+                    phi_785_ = _e576;
+                    phi_786_ = _e526;
                 }
-                let _e579 = phi_787_;
-                let _e581 = phi_788_;
-                let _e583 = phi_789_;
-                if _e583 {
-                    phi_793_ = _e579;
+                let _e578 = phi_784_;
+                let _e580 = phi_785_;
+                let _e582 = phi_786_;
+                if _e582 {
+                    phi_790_ = _e578;
                 } else {
-                    phi_793_ = _e581;
+                    phi_790_ = _e580;
                 }
-                let _e585 = phi_793_;
-                if ((bitcast<u32>(_e585) & 2147483647u) > 2139095040u) {
-                    phi_810_ = _e585;
+                let _e584 = phi_790_;
+                if ((bitcast<u32>(_e584) & 2147483647u) > 2139095040u) {
+                    phi_807_ = _e584;
                 } else {
-                    if (_e585 < 0f) {
-                        phi_809_ = 0f;
+                    if (_e584 < 0f) {
+                        phi_806_ = 0f;
                     } else {
-                        if (_e585 > 1f) {
-                            phi_808_ = 1f;
+                        if (_e584 > 1f) {
+                            phi_805_ = 1f;
                         } else {
-                            phi_808_ = _e585;
+                            phi_805_ = _e584;
                         }
-                        let _e592 = phi_808_;
-                        phi_809_ = _e592;
+                        let _e591 = phi_805_;
+                        phi_806_ = _e591;
                     }
-                    let _e594 = phi_809_;
-                    phi_810_ = _e594;
+                    let _e593 = phi_806_;
+                    phi_807_ = _e593;
                 }
-                let _e596 = phi_810_;
-                phi_811_ = f32();
-                phi_812_ = _e596;
+                let _e595 = phi_807_;
+                phi_808_ = f32();
+                phi_809_ = _e595;
             }
-            let _e598 = phi_811_;
-            let _e600 = phi_812_;
-            phi_813_ = _e598;
-            phi_814_ = _e600;
-            phi_815_ = _e430;
+            let _e597 = phi_808_;
+            let _e599 = phi_809_;
+            phi_810_ = _e597;
+            phi_811_ = _e599;
+            phi_812_ = _e429;
         }
-        let _e602 = phi_813_;
-        let _e604 = phi_814_;
-        let _e606 = phi_815_;
-        phi_816_ = _e602;
-        phi_817_ = _e604;
-        phi_818_ = _e606;
+        let _e601 = phi_810_;
+        let _e603 = phi_811_;
+        let _e605 = phi_812_;
+        phi_813_ = _e601;
+        phi_814_ = _e603;
+        phi_815_ = _e605;
     }
-    let _e608 = phi_816_;
-    let _e610 = phi_817_;
-    let _e612 = phi_818_;
-    if _e612 {
-        phi_822_ = _e608;
+    let _e607 = phi_813_;
+    let _e609 = phi_814_;
+    let _e611 = phi_815_;
+    if _e611 {
+        phi_819_ = _e607;
     } else {
-        phi_822_ = _e610;
+        phi_819_ = _e609;
     }
-    let _e614 = phi_822_;
-    return _e614;
-}
-
-fn lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(param_8: f32, param_9: f32) -> f32 {
-    var phi_830_: f32;
-
-    if (param_8 < param_9) {
-        phi_830_ = param_8;
-    } else {
-        phi_830_ = param_9;
-    }
-    let _e46 = phi_830_;
-    return _e46;
+    let _e613 = phi_819_;
+    return _e613;
 }
 
 fn function_() {
     var local: f32;
-    var phi_890_: bool;
-    var phi_891_: bool;
-    var phi_892_: bool;
-    var phi_893_: bool;
-    var phi_897_: bool;
-    var phi_967_: bool;
-    var phi_968_: bool;
-    var phi_979_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_980_: bool;
-    var phi_981_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_982_: bool;
-    var phi_989_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_993_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1013_: lt_math_LightPoint;
-    var phi_1016_: u32;
-    var phi_1018_: lt_math_LevelPoint;
-    var phi_1104_: bool;
+    var phi_879_: bool;
+    var phi_880_: bool;
+    var phi_881_: bool;
+    var phi_882_: bool;
+    var phi_886_: bool;
+    var phi_956_: bool;
+    var phi_957_: bool;
+    var phi_968_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_969_: bool;
+    var phi_970_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_971_: bool;
+    var phi_978_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_982_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1002_: lt_math_LightPoint;
+    var phi_1005_: u32;
+    var phi_1007_: lt_math_LevelPoint;
+    var phi_1093_: bool;
+    var phi_1102_: bool;
+    var phi_1111_: bool;
+    var phi_1112_: bool;
     var phi_1113_: bool;
-    var phi_1122_: bool;
-    var phi_1123_: bool;
-    var phi_1124_: bool;
-    var phi_1125_: bool;
-    var phi_1126_: bool;
-    var phi_1127_: bool;
-    var phi_1128_: bool;
-    var phi_1132_: bool;
+    var phi_1114_: bool;
+    var phi_1115_: bool;
+    var phi_1116_: bool;
+    var phi_1117_: bool;
+    var phi_1121_: bool;
+    var phi_1148_: bool;
+    var phi_1149_: bool;
+    var phi_1150_: bool;
+    var phi_1151_: bool;
+    var phi_1152_: bool;
+    var phi_1153_: bool;
+    var phi_1154_: bool;
+    var phi_1155_: bool;
     var phi_1159_: bool;
-    var phi_1160_: bool;
-    var phi_1161_: bool;
-    var phi_1162_: bool;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1166_: bool;
-    var phi_1170_: bool;
-    var phi_1179_: lt_math_LightPoint;
-    var phi_1180_: u32;
-    var phi_1181_: lt_math_LevelPoint;
-    var phi_1182_: bool;
-    var phi_1014_: lt_math_LightPoint;
-    var phi_1017_: u32;
-    var phi_1019_: lt_math_LevelPoint;
-    var phi_1183_: bool;
+    var phi_1168_: lt_math_LightPoint;
+    var phi_1169_: u32;
+    var phi_1170_: lt_math_LevelPoint;
+    var phi_1171_: bool;
+    var phi_1003_: lt_math_LightPoint;
+    var phi_1006_: u32;
+    var phi_1008_: lt_math_LevelPoint;
+    var phi_1172_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_1223_: bool;
-    var phi_1224_: bool;
-    var phi_1225_: bool;
-    var phi_1226_: bool;
-    var phi_1230_: bool;
-    var phi_1312_: f32;
-    var phi_1428_: f32;
-    var phi_1429_: f32;
-    var phi_1432_: f32;
-    var phi_1461_: f32;
-    var phi_1466_: f32;
-    var phi_1467_: bool;
-    var phi_1468_: f32;
-    var phi_1469_: bool;
-    var phi_1473_: f32;
-    var phi_1493_: f32;
-    var phi_1498_: f32;
-    var phi_1499_: bool;
-    var phi_1500_: f32;
-    var phi_1501_: bool;
-    var phi_1505_: f32;
+    var phi_1212_: bool;
+    var phi_1213_: bool;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1219_: bool;
+    var phi_1301_: f32;
+    var phi_1417_: f32;
+    var phi_1418_: f32;
+    var phi_1421_: f32;
+    var phi_1450_: f32;
+    var phi_1455_: f32;
+    var phi_1456_: bool;
+    var phi_1457_: f32;
+    var phi_1458_: bool;
+    var phi_1462_: f32;
+    var phi_1482_: f32;
+    var phi_1487_: f32;
+    var phi_1488_: bool;
+    var phi_1489_: f32;
+    var phi_1490_: bool;
+    var phi_1494_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1554_: i32;
-    var phi_1559_: i32;
-    var phi_1564_: i32;
-    var phi_1569_: i32;
-    var phi_1578_: i32;
-    var phi_1583_: i32;
-    var phi_1588_: i32;
-    var phi_1593_: i32;
-    var local_4: lt_math_LevelPoint;
-    var phi_1665_: f32;
-    var phi_1667_: evaluate_Verdict;
-    var phi_1668_: bool;
-    var phi_1669_: evaluate_Verdict;
-    var phi_1670_: bool;
-    var phi_1675_: evaluate_Verdict;
-    var phi_1676_: bool;
-    var phi_1678_: evaluate_Verdict;
-    var phi_1679_: evaluate_Verdict;
-    var phi_1680_: bool;
-    var phi_1684_: evaluate_Verdict;
-    var phi_1685_: evaluate_Verdict;
-    var phi_1686_: bool;
-    var phi_1690_: evaluate_Verdict;
+    var phi_1543_: i32;
+    var phi_1548_: i32;
+    var phi_1553_: i32;
+    var phi_1558_: i32;
+    var phi_1567_: i32;
+    var phi_1572_: i32;
+    var phi_1577_: i32;
+    var phi_1582_: i32;
+    var phi_1627_: evaluate_Verdict;
+    var phi_1628_: evaluate_Verdict;
+    var phi_1629_: bool;
+    var phi_1630_: evaluate_Verdict;
+    var phi_1631_: evaluate_Verdict;
+    var phi_1632_: bool;
+    var phi_1636_: evaluate_Verdict;
 
-    let _e43 = id_1;
-    let _e50 = arrayLength((&map.member));
-    let _e56 = arrayLength((&levels.member));
-    let _e59 = p.member.size[0u];
-    let _e61 = p.member.size[1u];
-    let _e62 = lt_shaders_entry_pixel_index(_e43, _e59, _e61);
-    if (bitcast<i32>(_e62.root) != 0i) {
-        let _e68 = p.member.level_count;
-        if (_e62.first_primitive < arrayLength((&samples.member))) {
+    let _e42 = id_1;
+    let _e49 = arrayLength((&map.member));
+    let _e55 = arrayLength((&levels.member));
+    let _e58 = p.member.size[0u];
+    let _e60 = p.member.size[1u];
+    let _e61 = lt_shaders_entry_pixel_index(_e42, _e58, _e60);
+    if (bitcast<i32>(_e61.root) != 0i) {
+        let _e67 = p.member.level_count;
+        if (_e61.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e75 = samples.member[(0u + _e62.first_primitive)].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[(0u + _e62.first_primitive)].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[(0u + _e62.first_primitive)].normal[2u];
-                let _e87 = global[2u];
-                phi_890_ = (_e85 == _e87);
-                phi_891_ = false;
+        let _e74 = samples.member[(0u + _e61.first_primitive)].normal[0u];
+        let _e76 = global[0u];
+        if (_e74 == _e76) {
+            let _e79 = samples.member[(0u + _e61.first_primitive)].normal[1u];
+            let _e81 = global[1u];
+            if (_e79 == _e81) {
+                let _e84 = samples.member[(0u + _e61.first_primitive)].normal[2u];
+                let _e86 = global[2u];
+                phi_879_ = (_e84 == _e86);
+                phi_880_ = false;
             } else {
-                phi_890_ = bool();
-                phi_891_ = true;
+                phi_879_ = bool();
+                phi_880_ = true;
             }
-            let _e90 = phi_890_;
-            let _e92 = phi_891_;
-            phi_892_ = _e90;
-            phi_893_ = _e92;
+            let _e89 = phi_879_;
+            let _e91 = phi_880_;
+            phi_881_ = _e89;
+            phi_882_ = _e91;
         } else {
-            phi_892_ = bool();
-            phi_893_ = true;
+            phi_881_ = bool();
+            phi_882_ = true;
         }
-        let _e94 = phi_892_;
-        let _e96 = phi_893_;
-        if _e96 {
-            phi_897_ = false;
+        let _e93 = phi_881_;
+        let _e95 = phi_882_;
+        if _e95 {
+            phi_886_ = false;
         } else {
-            phi_897_ = _e94;
+            phi_886_ = _e93;
         }
-        let _e98 = phi_897_;
-        if !(_e98) {
-            let _e101 = samples.member[(0u + _e62.first_primitive)].position;
-            let _e103 = p.member.light.place;
-            let _e109 = p.member.light.place[3u];
-            let _e116 = (_e103.x - (_e101.x * _e109));
-            let _e117 = (_e103.y - (_e101.y * _e109));
-            let _e118 = (_e103.z - (_e101.z * _e109));
-            let _e120 = samples.member[(0u + _e62.first_primitive)].normal;
-            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
-                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
-                let _e136 = p.member.light.axis;
-                let _e148 = p.member.light.place[3u];
-                if (_e148 == 0f) {
-                    phi_968_ = true;
+        let _e97 = phi_886_;
+        if !(_e97) {
+            let _e100 = samples.member[(0u + _e61.first_primitive)].position;
+            let _e102 = p.member.light.place;
+            let _e108 = p.member.light.place[3u];
+            let _e115 = (_e102.x - (_e100.x * _e108));
+            let _e116 = (_e102.y - (_e100.y * _e108));
+            let _e117 = (_e102.z - (_e100.z * _e108));
+            let _e119 = samples.member[(0u + _e61.first_primitive)].normal;
+            if ((((_e119.x * _e115) + (_e119.y * _e116)) + (_e119.z * _e117)) > 0f) {
+                let _e133 = (((_e115 * _e115) + (_e116 * _e116)) + (_e117 * _e117));
+                let _e135 = p.member.light.axis;
+                let _e147 = p.member.light.place[3u];
+                if (_e147 == 0f) {
+                    phi_957_ = true;
                 } else {
-                    let _e151 = p.member.light.range_squared;
-                    if (_e134 <= _e151) {
-                        let _e154 = p.member.light.cos_outer;
-                        phi_967_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
+                    let _e150 = p.member.light.range_squared;
+                    if (_e133 <= _e150) {
+                        let _e153 = p.member.light.cos_outer;
+                        phi_956_ = (-((((_e115 * _e135.x) + (_e116 * _e135.y)) + (_e117 * _e135.z))) >= (_e153 * sqrt(_e133)));
                     } else {
-                        phi_967_ = false;
+                        phi_956_ = false;
                     }
-                    let _e159 = phi_967_;
-                    phi_968_ = _e159;
+                    let _e158 = phi_956_;
+                    phi_957_ = _e158;
                 }
-                let _e161 = phi_968_;
-                if _e161 {
-                    let _e163 = samples.member[(0u + _e62.first_primitive)].flags;
-                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
-                    phi_979_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
-                    phi_980_ = false;
+                let _e160 = phi_957_;
+                if _e160 {
+                    let _e162 = samples.member[(0u + _e61.first_primitive)].flags;
+                    let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
+                    phi_968_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, ((_e162 & 1u) == 0u));
+                    phi_969_ = false;
                 } else {
-                    phi_979_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_980_ = true;
+                    phi_968_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_969_ = true;
                 }
-                let _e182 = phi_979_;
-                let _e184 = phi_980_;
-                phi_981_ = _e182;
-                phi_982_ = _e184;
+                let _e181 = phi_968_;
+                let _e183 = phi_969_;
+                phi_970_ = _e181;
+                phi_971_ = _e183;
             } else {
-                phi_981_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_982_ = true;
+                phi_970_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_971_ = true;
             }
-            let _e186 = phi_981_;
-            let _e188 = phi_982_;
-            if _e188 {
-                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
-                phi_989_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
+            let _e185 = phi_970_;
+            let _e187 = phi_971_;
+            if _e187 {
+                let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
+                phi_978_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, true);
             } else {
-                phi_989_ = _e186;
+                phi_978_ = _e185;
             }
-            let _e205 = phi_989_;
-            phi_993_ = _e205;
+            let _e204 = phi_978_;
+            phi_982_ = _e204;
         } else {
-            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
-            phi_993_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+            let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
+            phi_982_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
         }
-        let _e222 = phi_993_;
-        if _e222.unnamed_1 {
-            phi_1684_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
-            phi_1685_ = evaluate_Verdict();
-            phi_1686_ = true;
+        let _e221 = phi_982_;
+        if _e221.unnamed_1 {
+            phi_1630_ = evaluate_Verdict(_e221.unnamed.visibility, _e221.unnamed.is_doubted);
+            phi_1631_ = evaluate_Verdict();
+            phi_1632_ = true;
         } else {
-            let _e230 = samples.member[(0u + _e62.first_primitive)].position;
-            let _e232 = p.member.map_size;
-            let _e234 = (0.5f / f32(_e232));
-            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
-            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
-            phi_1013_ = lt_math_LightPoint();
-            phi_1016_ = 0u;
-            phi_1018_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
+            let _e229 = samples.member[(0u + _e61.first_primitive)].position;
+            let _e231 = p.member.map_size;
+            let _e233 = (0.5f / f32(_e231));
+            let _e240 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e247 = lt_math_LightPoint(vec2<f32>(_e240.uv.x, 0f), _e240.depth, _e240.is_inside);
+            let _e251 = lt_math_LightPoint(_e247.uv, 0f, _e247.is_inside);
+            phi_1002_ = lt_math_LightPoint();
+            phi_1005_ = 0u;
+            phi_1007_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e251.uv, _e251.depth, false));
             loop {
-                let _e259 = phi_1013_;
-                let _e261 = phi_1016_;
-                let _e263 = phi_1018_;
-                local_1 = _e263;
-                local_2 = _e263;
-                local_3 = _e263;
-                local_4 = _e263;
-                if (_e261 < _e68) {
-                    if _e263.point.is_inside {
-                        phi_1179_ = lt_math_LightPoint();
-                        phi_1180_ = u32();
-                        phi_1181_ = lt_math_LevelPoint();
-                        phi_1182_ = false;
+                let _e258 = phi_1002_;
+                let _e260 = phi_1005_;
+                let _e262 = phi_1007_;
+                local_1 = _e262;
+                local_2 = _e262;
+                local_3 = _e262;
+                if (_e260 < _e67) {
+                    if _e262.point.is_inside {
+                        phi_1168_ = lt_math_LightPoint();
+                        phi_1169_ = u32();
+                        phi_1170_ = lt_math_LevelPoint();
+                        phi_1171_ = false;
                     } else {
-                        if (_e261 < _e56) {
+                        if (_e260 < _e55) {
                         } else {
                             return;
                         }
-                        let _e274 = levels.member[(0u + _e261)].row_w;
-                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
-                        let _e287 = levels.member[(0u + _e261)].row_x;
-                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
-                        let _e301 = levels.member[(0u + _e261)].row_y;
-                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
-                        let _e315 = levels.member[(0u + _e261)].row_z;
-                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
-                        if (_e285 > 0f) {
-                            if (_e299 >= 0f) {
-                                phi_1104_ = (_e299 <= 1f);
+                        let _e273 = levels.member[(0u + _e260)].row_w;
+                        let _e284 = ((((_e273.x * _e229.x) + (_e273.y * _e229.y)) + (_e273.z * _e229.z)) + (_e273.w * 1f));
+                        let _e286 = levels.member[(0u + _e260)].row_x;
+                        let _e298 = (((((_e286.x * _e229.x) + (_e286.y * _e229.y)) + (_e286.z * _e229.z)) + (_e286.w * 1f)) / _e284);
+                        let _e300 = levels.member[(0u + _e260)].row_y;
+                        let _e312 = (((((_e300.x * _e229.x) + (_e300.y * _e229.y)) + (_e300.z * _e229.z)) + (_e300.w * 1f)) / _e284);
+                        let _e314 = levels.member[(0u + _e260)].row_z;
+                        let _e325 = ((((_e314.x * _e229.x) + (_e314.y * _e229.y)) + (_e314.z * _e229.z)) + (_e314.w * 1f));
+                        if (_e284 > 0f) {
+                            if (_e298 >= 0f) {
+                                phi_1093_ = (_e298 <= 1f);
                             } else {
-                                phi_1104_ = false;
+                                phi_1093_ = false;
                             }
-                            let _e331 = phi_1104_;
-                            if _e331 {
-                                if (_e313 >= 0f) {
-                                    phi_1113_ = (_e313 <= 1f);
+                            let _e330 = phi_1093_;
+                            if _e330 {
+                                if (_e312 >= 0f) {
+                                    phi_1102_ = (_e312 <= 1f);
                                 } else {
+                                    phi_1102_ = false;
+                                }
+                                let _e334 = phi_1102_;
+                                if _e334 {
+                                    if (_e325 >= 0f) {
+                                        phi_1111_ = (_e325 <= 1f);
+                                    } else {
+                                        phi_1111_ = false;
+                                    }
+                                    let _e338 = phi_1111_;
+                                    phi_1112_ = _e338;
                                     phi_1113_ = false;
-                                }
-                                let _e335 = phi_1113_;
-                                if _e335 {
-                                    if (_e326 >= 0f) {
-                                        phi_1122_ = (_e326 <= 1f);
-                                    } else {
-                                        phi_1122_ = false;
-                                    }
-                                    let _e339 = phi_1122_;
-                                    phi_1123_ = _e339;
-                                    phi_1124_ = false;
                                 } else {
-                                    phi_1123_ = bool();
-                                    phi_1124_ = true;
+                                    phi_1112_ = bool();
+                                    phi_1113_ = true;
                                 }
-                                let _e341 = phi_1123_;
-                                let _e343 = phi_1124_;
-                                phi_1125_ = _e341;
-                                phi_1126_ = _e343;
+                                let _e340 = phi_1112_;
+                                let _e342 = phi_1113_;
+                                phi_1114_ = _e340;
+                                phi_1115_ = _e342;
                             } else {
-                                phi_1125_ = bool();
-                                phi_1126_ = true;
+                                phi_1114_ = bool();
+                                phi_1115_ = true;
                             }
-                            let _e345 = phi_1125_;
-                            let _e347 = phi_1126_;
-                            phi_1127_ = _e345;
-                            phi_1128_ = _e347;
+                            let _e344 = phi_1114_;
+                            let _e346 = phi_1115_;
+                            phi_1116_ = _e344;
+                            phi_1117_ = _e346;
                         } else {
-                            phi_1127_ = bool();
-                            phi_1128_ = true;
+                            phi_1116_ = bool();
+                            phi_1117_ = true;
                         }
-                        let _e349 = phi_1127_;
-                        let _e351 = phi_1128_;
-                        if _e351 {
-                            phi_1132_ = false;
+                        let _e348 = phi_1116_;
+                        let _e350 = phi_1117_;
+                        if _e350 {
+                            phi_1121_ = false;
                         } else {
-                            phi_1132_ = _e349;
+                            phi_1121_ = _e348;
                         }
-                        let _e353 = phi_1132_;
-                        if _e353 {
-                            if (_e299 >= _e234) {
-                                if (_e299 <= (1f - _e234)) {
-                                    if (_e313 >= _e234) {
-                                        phi_1159_ = (_e313 <= (1f - _e234));
-                                        phi_1160_ = false;
+                        let _e352 = phi_1121_;
+                        if _e352 {
+                            if (_e298 >= _e233) {
+                                if (_e298 <= (1f - _e233)) {
+                                    if (_e312 >= _e233) {
+                                        phi_1148_ = (_e312 <= (1f - _e233));
+                                        phi_1149_ = false;
                                     } else {
-                                        phi_1159_ = bool();
-                                        phi_1160_ = true;
+                                        phi_1148_ = bool();
+                                        phi_1149_ = true;
                                     }
-                                    let _e361 = phi_1159_;
-                                    let _e363 = phi_1160_;
-                                    phi_1161_ = _e361;
-                                    phi_1162_ = _e363;
+                                    let _e360 = phi_1148_;
+                                    let _e362 = phi_1149_;
+                                    phi_1150_ = _e360;
+                                    phi_1151_ = _e362;
                                 } else {
-                                    phi_1161_ = bool();
-                                    phi_1162_ = true;
+                                    phi_1150_ = bool();
+                                    phi_1151_ = true;
                                 }
-                                let _e365 = phi_1161_;
-                                let _e367 = phi_1162_;
-                                phi_1163_ = _e365;
-                                phi_1164_ = _e367;
+                                let _e364 = phi_1150_;
+                                let _e366 = phi_1151_;
+                                phi_1152_ = _e364;
+                                phi_1153_ = _e366;
                             } else {
-                                phi_1163_ = bool();
-                                phi_1164_ = true;
+                                phi_1152_ = bool();
+                                phi_1153_ = true;
                             }
-                            let _e369 = phi_1163_;
-                            let _e371 = phi_1164_;
-                            phi_1165_ = _e369;
-                            phi_1166_ = _e371;
+                            let _e368 = phi_1152_;
+                            let _e370 = phi_1153_;
+                            phi_1154_ = _e368;
+                            phi_1155_ = _e370;
                         } else {
-                            phi_1165_ = bool();
-                            phi_1166_ = true;
+                            phi_1154_ = bool();
+                            phi_1155_ = true;
                         }
-                        let _e373 = phi_1165_;
-                        let _e375 = phi_1166_;
-                        if _e375 {
-                            phi_1170_ = false;
+                        let _e372 = phi_1154_;
+                        let _e374 = phi_1155_;
+                        if _e374 {
+                            phi_1159_ = false;
                         } else {
-                            phi_1170_ = _e373;
+                            phi_1159_ = _e372;
                         }
-                        let _e377 = phi_1170_;
-                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
-                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
-                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
-                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
-                        phi_1179_ = _e399;
-                        phi_1180_ = (_e261 + 1u);
-                        phi_1181_ = lt_math_LevelPoint(_e261, _e399);
-                        phi_1182_ = true;
+                        let _e376 = phi_1159_;
+                        let _e383 = lt_math_LightPoint(vec2<f32>(_e298, _e258.uv.y), _e258.depth, _e258.is_inside);
+                        let _e390 = lt_math_LightPoint(vec2<f32>(_e383.uv.x, _e312), _e383.depth, _e383.is_inside);
+                        let _e394 = lt_math_LightPoint(_e390.uv, _e325, _e390.is_inside);
+                        let _e398 = lt_math_LightPoint(_e394.uv, _e394.depth, _e376);
+                        phi_1168_ = _e398;
+                        phi_1169_ = (_e260 + 1u);
+                        phi_1170_ = lt_math_LevelPoint(_e260, _e398);
+                        phi_1171_ = true;
                     }
-                    let _e403 = phi_1179_;
-                    let _e405 = phi_1180_;
-                    let _e407 = phi_1181_;
-                    let _e409 = phi_1182_;
-                    phi_1014_ = _e403;
-                    phi_1017_ = _e405;
-                    phi_1019_ = _e407;
-                    phi_1183_ = _e409;
+                    let _e402 = phi_1168_;
+                    let _e404 = phi_1169_;
+                    let _e406 = phi_1170_;
+                    let _e408 = phi_1171_;
+                    phi_1003_ = _e402;
+                    phi_1006_ = _e404;
+                    phi_1008_ = _e406;
+                    phi_1172_ = _e408;
                 } else {
-                    phi_1014_ = lt_math_LightPoint();
-                    phi_1017_ = u32();
-                    phi_1019_ = lt_math_LevelPoint();
-                    phi_1183_ = false;
+                    phi_1003_ = lt_math_LightPoint();
+                    phi_1006_ = u32();
+                    phi_1008_ = lt_math_LevelPoint();
+                    phi_1172_ = false;
                 }
-                let _e411 = phi_1014_;
-                let _e413 = phi_1017_;
-                let _e415 = phi_1019_;
-                let _e417 = phi_1183_;
+                let _e410 = phi_1003_;
+                let _e412 = phi_1006_;
+                let _e414 = phi_1008_;
+                let _e416 = phi_1172_;
                 continue;
                 continuing {
-                    phi_1013_ = _e411;
-                    phi_1016_ = _e413;
-                    phi_1018_ = _e415;
-                    break if !(_e417);
+                    phi_1002_ = _e410;
+                    phi_1005_ = _e412;
+                    phi_1007_ = _e414;
+                    break if !(_e416);
                 }
             }
-            let _e420 = local_1;
-            if _e420.point.is_inside {
+            let _e419 = local_1;
+            if _e419.point.is_inside {
                 if (0f > 0f) {
-                    let _e426 = local_2;
-                    if (_e426.level < _e56) {
+                    let _e425 = local_2;
+                    if (_e425.level < _e55) {
                     } else {
                         return;
                     }
-                    let _e431 = levels.member[(0u + _e426.level)];
-                    let _e437 = global[0u];
-                    if (_e431.row_w.x == _e437) {
-                        let _e440 = global[1u];
-                        if (_e431.row_w.y == _e440) {
-                            let _e443 = global[2u];
-                            phi_1223_ = (_e431.row_w.z == _e443);
-                            phi_1224_ = false;
+                    let _e430 = levels.member[(0u + _e425.level)];
+                    let _e436 = global[0u];
+                    if (_e430.row_w.x == _e436) {
+                        let _e439 = global[1u];
+                        if (_e430.row_w.y == _e439) {
+                            let _e442 = global[2u];
+                            phi_1212_ = (_e430.row_w.z == _e442);
+                            phi_1213_ = false;
                         } else {
-                            phi_1223_ = bool();
-                            phi_1224_ = true;
+                            phi_1212_ = bool();
+                            phi_1213_ = true;
                         }
-                        let _e446 = phi_1223_;
-                        let _e448 = phi_1224_;
-                        phi_1225_ = _e446;
-                        phi_1226_ = _e448;
+                        let _e445 = phi_1212_;
+                        let _e447 = phi_1213_;
+                        phi_1214_ = _e445;
+                        phi_1215_ = _e447;
                     } else {
-                        phi_1225_ = bool();
-                        phi_1226_ = true;
+                        phi_1214_ = bool();
+                        phi_1215_ = true;
                     }
-                    let _e450 = phi_1225_;
-                    let _e452 = phi_1226_;
-                    if _e452 {
-                        phi_1230_ = false;
+                    let _e449 = phi_1214_;
+                    let _e451 = phi_1215_;
+                    if _e451 {
+                        phi_1219_ = false;
                     } else {
-                        phi_1230_ = _e450;
+                        phi_1219_ = _e449;
                     }
-                    let _e454 = phi_1230_;
-                    if _e454 {
-                        let _e456 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e458 = p.member.map_size;
-                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
-                        if (_e528 < 0.002f) {
-                            phi_1312_ = _e528;
+                    let _e453 = phi_1219_;
+                    if _e453 {
+                        let _e455 = samples.member[(0u + _e61.first_primitive)].normal;
+                        let _e457 = p.member.map_size;
+                        let _e527 = ((abs(((((_e430.row_x.x * _e455.x) + (_e430.row_x.y * _e455.y)) + (_e430.row_x.z * _e455.z)) / (((_e430.row_x.x * _e430.row_x.x) + (_e430.row_x.y * _e430.row_x.y)) + (_e430.row_x.z * _e430.row_x.z)))) + abs(((((_e430.row_y.x * _e455.x) + (_e430.row_y.y * _e455.y)) + (_e430.row_y.z * _e455.z)) / (((_e430.row_y.x * _e430.row_y.x) + (_e430.row_y.y * _e430.row_y.y)) + (_e430.row_y.z * _e430.row_y.z))))) / (abs(((((_e430.row_z.x * _e455.x) + (_e430.row_z.y * _e455.y)) + (_e430.row_z.z * _e455.z)) / (((_e430.row_z.x * _e430.row_z.x) + (_e430.row_z.y * _e430.row_z.y)) + (_e430.row_z.z * _e430.row_z.z)))) * f32(_e457)));
+                        if (_e527 < 0.002f) {
+                            phi_1301_ = _e527;
                         } else {
-                            phi_1312_ = 0.002f;
+                            phi_1301_ = 0.002f;
                         }
-                        let _e531 = phi_1312_;
-                        phi_1429_ = _e531;
+                        let _e530 = phi_1301_;
+                        phi_1418_ = _e530;
                     } else {
-                        let _e533 = p.member.map_size;
-                        let _e539 = samples.member[(0u + _e62.first_primitive)].position;
-                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
-                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
-                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
-                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
-                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
-                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
-                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
-                        let _e586 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
-                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
-                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
-                        let _e603 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
-                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
-                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
-                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
-                        if (_e645 < 0.002f) {
-                            phi_1428_ = _e645;
+                        let _e532 = p.member.map_size;
+                        let _e538 = samples.member[(0u + _e61.first_primitive)].position;
+                        let _e549 = ((((_e430.row_w.x * _e538.x) + (_e430.row_w.y * _e538.y)) + (_e430.row_w.z * _e538.z)) + _e430.row_w.w);
+                        let _e562 = ((_e430.row_x.x - (_e430.row_w.x * _e419.point.uv.x)) / _e549);
+                        let _e563 = ((_e430.row_x.y - (_e430.row_w.y * _e419.point.uv.x)) / _e549);
+                        let _e564 = ((_e430.row_x.z - (_e430.row_w.z * _e419.point.uv.x)) / _e549);
+                        let _e577 = ((_e430.row_y.x - (_e430.row_w.x * _e419.point.uv.y)) / _e549);
+                        let _e578 = ((_e430.row_y.y - (_e430.row_w.y * _e419.point.uv.y)) / _e549);
+                        let _e579 = ((_e430.row_y.z - (_e430.row_w.z * _e419.point.uv.y)) / _e549);
+                        let _e585 = samples.member[(0u + _e61.first_primitive)].normal;
+                        let _e590 = ((_e578 * _e585.z) - (_e585.y * _e579));
+                        let _e595 = ((_e579 * _e585.x) - (_e585.z * _e577));
+                        let _e600 = ((_e577 * _e585.y) - (_e585.x * _e578));
+                        let _e602 = samples.member[(0u + _e61.first_primitive)].normal;
+                        let _e607 = ((_e563 * _e602.z) - (_e602.y * _e564));
+                        let _e612 = ((_e564 * _e602.x) - (_e602.z * _e562));
+                        let _e617 = ((_e562 * _e602.y) - (_e602.x * _e563));
+                        let _e644 = ((abs(((((_e430.row_z.x * _e590) + (_e430.row_z.y * _e595)) + (_e430.row_z.z * _e600)) / (((_e562 * _e590) + (_e563 * _e595)) + (_e564 * _e600)))) + abs(((((_e430.row_z.x * _e607) + (_e430.row_z.y * _e612)) + (_e430.row_z.z * _e617)) / (((_e577 * _e607) + (_e578 * _e612)) + (_e579 * _e617))))) / f32(_e532));
+                        if (_e644 < 0.002f) {
+                            phi_1417_ = _e644;
                         } else {
-                            phi_1428_ = 0.002f;
+                            phi_1417_ = 0.002f;
                         }
-                        let _e648 = phi_1428_;
-                        phi_1429_ = _e648;
+                        let _e647 = phi_1417_;
+                        phi_1418_ = _e647;
                     }
-                    let _e650 = phi_1429_;
-                    phi_1432_ = (_e420.point.depth - (0f * _e650));
+                    let _e649 = phi_1418_;
+                    phi_1421_ = (_e419.point.depth - (0f * _e649));
                 } else {
-                    phi_1432_ = _e420.point.depth;
+                    phi_1421_ = _e419.point.depth;
                 }
-                let _e654 = phi_1432_;
-                let _e660 = p.member.map_size;
-                let _e661 = f32(_e660);
-                let _e664 = ((_e420.point.uv.x * _e661) - 0.5f);
-                let _e665 = ((_e420.point.uv.y * _e661) - 0.5f);
+                let _e653 = phi_1421_;
+                let _e659 = p.member.map_size;
+                let _e660 = f32(_e659);
+                let _e663 = ((_e419.point.uv.x * _e660) - 0.5f);
+                let _e664 = ((_e419.point.uv.y * _e660) - 0.5f);
+                if (_e663 > -8388608f) {
+                    let _e676 = f32(select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < bitcast<f32>(3472883712u))), 2147483647i, (_e663 > bitcast<f32>(1325400063u))), (_e663 == _e663)));
+                    if (_e676 > _e663) {
+                        phi_1450_ = 1f;
+                    } else {
+                        phi_1450_ = 0f;
+                    }
+                    let _e679 = phi_1450_;
+                    if (_e663 < 8388608f) {
+                        phi_1455_ = (_e676 - _e679);
+                        phi_1456_ = false;
+                    } else {
+                        phi_1455_ = f32();
+                        phi_1456_ = true;
+                    }
+                    let _e682 = phi_1455_;
+                    let _e684 = phi_1456_;
+                    phi_1457_ = _e682;
+                    phi_1458_ = _e684;
+                } else {
+                    phi_1457_ = f32();
+                    phi_1458_ = true;
+                }
+                let _e686 = phi_1457_;
+                let _e688 = phi_1458_;
+                if _e688 {
+                    phi_1462_ = _e663;
+                } else {
+                    phi_1462_ = _e686;
+                }
+                let _e690 = phi_1462_;
                 if (_e664 > -8388608f) {
-                    let _e677 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
-                    if (_e677 > _e664) {
-                        phi_1461_ = 1f;
+                    let _e702 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e702 > _e664) {
+                        phi_1482_ = 1f;
                     } else {
-                        phi_1461_ = 0f;
+                        phi_1482_ = 0f;
                     }
-                    let _e680 = phi_1461_;
+                    let _e705 = phi_1482_;
                     if (_e664 < 8388608f) {
-                        phi_1466_ = (_e677 - _e680);
-                        phi_1467_ = false;
+                        phi_1487_ = (_e702 - _e705);
+                        phi_1488_ = false;
                     } else {
-                        phi_1466_ = f32();
-                        phi_1467_ = true;
+                        phi_1487_ = f32();
+                        phi_1488_ = true;
                     }
-                    let _e683 = phi_1466_;
-                    let _e685 = phi_1467_;
-                    phi_1468_ = _e683;
-                    phi_1469_ = _e685;
+                    let _e708 = phi_1487_;
+                    let _e710 = phi_1488_;
+                    phi_1489_ = _e708;
+                    phi_1490_ = _e710;
                 } else {
-                    phi_1468_ = f32();
-                    phi_1469_ = true;
+                    phi_1489_ = f32();
+                    phi_1490_ = true;
                 }
-                let _e687 = phi_1468_;
-                let _e689 = phi_1469_;
-                if _e689 {
-                    phi_1473_ = _e664;
+                let _e712 = phi_1489_;
+                let _e714 = phi_1490_;
+                if _e714 {
+                    phi_1494_ = _e664;
                 } else {
-                    phi_1473_ = _e687;
+                    phi_1494_ = _e712;
                 }
-                let _e691 = phi_1473_;
-                if (_e665 > -8388608f) {
-                    let _e703 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
-                    if (_e703 > _e665) {
-                        phi_1493_ = 1f;
-                    } else {
-                        phi_1493_ = 0f;
-                    }
-                    let _e706 = phi_1493_;
-                    if (_e665 < 8388608f) {
-                        phi_1498_ = (_e703 - _e706);
-                        phi_1499_ = false;
-                    } else {
-                        phi_1498_ = f32();
-                        phi_1499_ = true;
-                    }
-                    let _e709 = phi_1498_;
-                    let _e711 = phi_1499_;
-                    phi_1500_ = _e709;
-                    phi_1501_ = _e711;
+                let _e716 = phi_1494_;
+                let _e717 = (_e663 - _e690);
+                let _e718 = (_e664 - _e716);
+                let _e727 = select(0i, select(select(i32(_e690), i32(-2147483648), (_e690 < bitcast<f32>(3472883712u))), 2147483647i, (_e690 > bitcast<f32>(1325400063u))), (_e690 == _e690));
+                let _e736 = select(0i, select(select(i32(_e716), i32(-2147483648), (_e716 < bitcast<f32>(3472883712u))), 2147483647i, (_e716 > bitcast<f32>(1325400063u))), (_e716 == _e716));
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_3;
+                local = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
+                if (_e727 > 0i) {
+                    phi_1543_ = _e727;
                 } else {
-                    phi_1500_ = f32();
-                    phi_1501_ = true;
+                    phi_1543_ = 0i;
                 }
-                let _e713 = phi_1500_;
-                let _e715 = phi_1501_;
-                if _e715 {
-                    phi_1505_ = _e665;
+                let _e760 = phi_1543_;
+                if (_e736 > 0i) {
+                    phi_1548_ = _e736;
                 } else {
-                    phi_1505_ = _e713;
+                    phi_1548_ = 0i;
                 }
-                let _e717 = phi_1505_;
-                let _e718 = (_e664 - _e691);
-                let _e719 = (_e665 - _e717);
-                let _e728 = select(0i, select(select(i32(_e691), i32(-2147483648), (_e691 < bitcast<f32>(3472883712u))), 2147483647i, (_e691 > bitcast<f32>(1325400063u))), (_e691 == _e691));
-                let _e737 = select(0i, select(select(i32(_e717), i32(-2147483648), (_e717 < bitcast<f32>(3472883712u))), 2147483647i, (_e717 > bitcast<f32>(1325400063u))), (_e717 == _e717));
-                let _e748 = p.member.test;
-                let _e749 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e748);
-                let _e751 = p.member.map_size;
-                let _e753 = local_3;
-                local = _e749;
-                let _e756 = ((_e753.level * _e751) * _e751);
-                let _e758 = (bitcast<i32>(_e751) - 1i);
-                if (_e728 > 0i) {
-                    phi_1554_ = _e728;
+                let _e763 = phi_1548_;
+                if (_e760 < _e757) {
+                    phi_1553_ = _e760;
                 } else {
-                    phi_1554_ = 0i;
+                    phi_1553_ = _e757;
                 }
-                let _e761 = phi_1554_;
-                if (_e737 > 0i) {
-                    phi_1559_ = _e737;
+                let _e766 = phi_1553_;
+                if (_e763 < _e757) {
+                    phi_1558_ = _e763;
                 } else {
-                    phi_1559_ = 0i;
+                    phi_1558_ = _e757;
                 }
-                let _e764 = phi_1559_;
-                if (_e761 < _e758) {
-                    phi_1564_ = _e761;
+                let _e769 = phi_1558_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e727 + 1i);
+                let _e773 = (_e736 + 1i);
+                if (_e772 > 0i) {
+                    phi_1567_ = _e772;
                 } else {
-                    phi_1564_ = _e758;
+                    phi_1567_ = 0i;
                 }
-                let _e767 = phi_1564_;
-                if (_e764 < _e758) {
-                    phi_1569_ = _e764;
-                } else {
-                    phi_1569_ = _e758;
-                }
-                let _e770 = phi_1569_;
-                let _e771 = bitcast<u32>(_e767);
-                let _e773 = (_e728 + 1i);
-                let _e774 = (_e737 + 1i);
+                let _e776 = phi_1567_;
                 if (_e773 > 0i) {
-                    phi_1578_ = _e773;
+                    phi_1572_ = _e773;
                 } else {
-                    phi_1578_ = 0i;
+                    phi_1572_ = 0i;
                 }
-                let _e777 = phi_1578_;
-                if (_e774 > 0i) {
-                    phi_1583_ = _e774;
+                let _e779 = phi_1572_;
+                if (_e776 < _e757) {
+                    phi_1577_ = _e776;
                 } else {
-                    phi_1583_ = 0i;
+                    phi_1577_ = _e757;
                 }
-                let _e780 = phi_1583_;
-                if (_e777 < _e758) {
-                    phi_1588_ = _e777;
+                let _e782 = phi_1577_;
+                if (_e779 < _e757) {
+                    phi_1582_ = _e779;
                 } else {
-                    phi_1588_ = _e758;
+                    phi_1582_ = _e757;
                 }
-                let _e783 = phi_1588_;
-                if (_e780 < _e758) {
-                    phi_1593_ = _e780;
-                } else {
-                    phi_1593_ = _e758;
-                }
-                let _e786 = phi_1593_;
-                let _e787 = bitcast<u32>(_e783);
-                let _e789 = (bitcast<u32>(_e770) * _e751);
-                let _e790 = (bitcast<u32>(_e786) * _e751);
-                let _e795 = ((_e789 + _e771) + _e756);
-                let _e796 = ((_e789 + _e787) + _e756);
-                let _e797 = ((_e790 + _e771) + _e756);
-                let _e798 = ((_e790 + _e787) + _e756);
-                if (_e795 < _e50) {
+                let _e785 = phi_1582_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e49) {
                 } else {
                     return;
                 }
-                let _e802 = map.member[(0u + _e795)];
-                if (_e796 < _e50) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e49) {
                 } else {
                     return;
                 }
-                let _e806 = map.member[(0u + _e796)];
-                if (_e797 < _e50) {
+                let _e805 = map.member[(0u + _e795)];
+                if (_e796 < _e49) {
                 } else {
                     return;
                 }
-                let _e810 = map.member[(0u + _e797)];
-                if (_e798 < _e50) {
+                let _e809 = map.member[(0u + _e796)];
+                if (_e797 < _e49) {
                 } else {
                     return;
                 }
-                let _e814 = map.member[(0u + _e798)];
-                let _e816 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e802, _e806, _e810, _e814), vec4<f32>(((1f - _e718) * (1f - _e719)), (_e718 * (1f - _e719)), ((1f - _e718) * _e719), (_e718 * _e719)), _e654);
-                let _e818 = p.member.fade_uv;
-                if (_e818 > 0f) {
-                    let _e821 = local_4;
-                    if ((_e821.level + 1u) == _e68) {
-                        let _e830 = p.member.fade_uv;
-                        let _e832 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e420.point.uv.x, (1f - _e420.point.uv.x));
-                        let _e834 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e420.point.uv.y, (1f - _e420.point.uv.y));
-                        let _e835 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e832, _e834);
-                        if (_e835 < _e830) {
-                            phi_1665_ = (1f - ((1f - _e816) * (_e835 / _e830)));
-                        } else {
-                            phi_1665_ = _e816;
-                        }
-                        let _e842 = phi_1665_;
-                        phi_1667_ = evaluate_Verdict(_e842, false);
-                        phi_1668_ = false;
-                    } else {
-                        phi_1667_ = evaluate_Verdict();
-                        phi_1668_ = true;
-                    }
-                    let _e845 = phi_1667_;
-                    let _e847 = phi_1668_;
-                    phi_1669_ = _e845;
-                    phi_1670_ = _e847;
-                } else {
-                    phi_1669_ = evaluate_Verdict();
-                    phi_1670_ = true;
-                }
-                let _e849 = phi_1669_;
-                let _e851 = phi_1670_;
-                if _e851 {
-                    phi_1675_ = evaluate_Verdict(_e816, false);
-                    phi_1676_ = false;
-                } else {
-                    phi_1675_ = evaluate_Verdict();
-                    phi_1676_ = true;
-                }
-                let _e854 = phi_1675_;
-                let _e856 = phi_1676_;
-                phi_1678_ = _e854;
-                phi_1679_ = _e849;
-                phi_1680_ = _e856;
+                let _e813 = map.member[(0u + _e797)];
+                let _e815 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e801, _e805, _e809, _e813), vec4<f32>(((1f - _e717) * (1f - _e718)), (_e717 * (1f - _e718)), ((1f - _e717) * _e718), (_e717 * _e718)), _e653);
+                phi_1627_ = evaluate_Verdict(_e815, false);
+                phi_1628_ = evaluate_Verdict();
+                phi_1629_ = false;
             } else {
-                phi_1678_ = evaluate_Verdict();
-                phi_1679_ = evaluate_Verdict(1f, false);
-                phi_1680_ = true;
+                phi_1627_ = evaluate_Verdict();
+                phi_1628_ = evaluate_Verdict(1f, false);
+                phi_1629_ = true;
             }
-            let _e859 = phi_1678_;
-            let _e861 = phi_1679_;
-            let _e863 = phi_1680_;
-            if _e863 {
-            }
-            phi_1684_ = _e861;
-            phi_1685_ = _e859;
-            phi_1686_ = _e863;
+            let _e819 = phi_1627_;
+            let _e821 = phi_1628_;
+            let _e823 = phi_1629_;
+            phi_1630_ = _e821;
+            phi_1631_ = _e819;
+            phi_1632_ = _e823;
         }
-        let _e865 = phi_1684_;
-        let _e867 = phi_1685_;
-        let _e869 = phi_1686_;
-        if _e869 {
-            phi_1690_ = _e865;
+        let _e825 = phi_1630_;
+        let _e827 = phi_1631_;
+        let _e829 = phi_1632_;
+        if _e829 {
+            phi_1636_ = _e825;
         } else {
-            phi_1690_ = _e867;
+            phi_1636_ = _e827;
         }
-        let _e871 = phi_1690_;
-        if (_e62.first_primitive < arrayLength((&visibility.member))) {
+        let _e831 = phi_1636_;
+        if (_e61.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e62.first_primitive)] = _e871.visibility;
+        visibility.member[(0u + _e61.first_primitive)] = _e831.visibility;
     }
     return;
 }

@@ -59,11 +59,11 @@ struct abi_ShadowParams {
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_36 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -87,7 +87,7 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_36;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
@@ -96,900 +96,838 @@ var<storage> levels: type_41;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_151_: lt_bvh_traverse_Tree;
-    var phi_152_: bool;
-    var phi_153_: lt_bvh_traverse_Tree;
-    var phi_154_: bool;
-    var phi_159_: lt_bvh_traverse_Tree;
+    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_149_: bool;
+    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_151_: bool;
+    var phi_156_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_151_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_152_ = false;
+            phi_148_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_149_ = false;
         } else {
-            phi_151_ = lt_bvh_traverse_Tree();
-            phi_152_ = true;
+            phi_148_ = lt_bvh_traverse_Tree();
+            phi_149_ = true;
         }
-        let _e53 = phi_151_;
-        let _e55 = phi_152_;
-        phi_153_ = _e53;
-        phi_154_ = _e55;
+        let _e52 = phi_148_;
+        let _e54 = phi_149_;
+        phi_150_ = _e52;
+        phi_151_ = _e54;
     } else {
-        phi_153_ = lt_bvh_traverse_Tree();
-        phi_154_ = true;
+        phi_150_ = lt_bvh_traverse_Tree();
+        phi_151_ = true;
     }
-    let _e57 = phi_153_;
-    let _e59 = phi_154_;
-    if _e59 {
-        phi_159_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e56 = phi_150_;
+    let _e58 = phi_151_;
+    if _e58 {
+        phi_156_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_159_ = _e57;
+        phi_156_ = _e56;
     }
-    let _e64 = phi_159_;
-    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
+    let _e63 = phi_156_;
+    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
     return param_3.x;
 }
 
-fn lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(param_4: f32, param_5: f32) -> f32 {
-    var phi_173_: f32;
+fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
+    var phi_205_: f32;
+    var phi_206_: f32;
+    var phi_207_: f32;
+    var phi_213_: bool;
+    var phi_235_: f32;
+    var phi_236_: f32;
+    var phi_237_: f32;
+    var phi_238_: f32;
+    var phi_239_: bool;
+    var phi_240_: f32;
+    var phi_241_: bool;
+    var phi_279_: vec2<f32>;
+    var phi_313_: f32;
+    var phi_314_: f32;
+    var phi_315_: f32;
+    var phi_344_: f32;
+    var phi_345_: f32;
+    var phi_346_: f32;
+    var phi_350_: f32;
+    var phi_351_: f32;
+    var phi_352_: f32;
+    var phi_353_: f32;
 
-    if (param_4 < param_5) {
-        phi_173_ = param_4;
+    let _e42 = (*param_4);
+    let _e43 = (1f - _e42);
+    let _e52 = (0.5f * _e42);
+    let _e53 = ((param_5.x * _e43) + _e52);
+    let _e54 = ((param_5.y * _e43) + _e52);
+    let _e56 = ((param_5.w * _e43) + _e52);
+    let _e58 = (_e54 - (_e53 * _e53));
+    let _e60 = (((param_5.z * _e43) + _e52) - (_e53 * _e54));
+    if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
+        phi_207_ = param_6;
     } else {
-        phi_173_ = param_5;
-    }
-    let _e44 = phi_173_;
-    return _e44;
-}
-
-fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_6: ptr<function, f32>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_216_: f32;
-    var phi_217_: f32;
-    var phi_218_: f32;
-    var phi_224_: bool;
-    var phi_246_: f32;
-    var phi_247_: f32;
-    var phi_248_: f32;
-    var phi_249_: f32;
-    var phi_250_: bool;
-    var phi_251_: f32;
-    var phi_252_: bool;
-    var phi_290_: vec2<f32>;
-    var phi_324_: f32;
-    var phi_325_: f32;
-    var phi_326_: f32;
-    var phi_355_: f32;
-    var phi_356_: f32;
-    var phi_357_: f32;
-    var phi_361_: f32;
-    var phi_362_: f32;
-    var phi_363_: f32;
-    var phi_364_: f32;
-
-    let _e43 = (*param_6);
-    let _e44 = (1f - _e43);
-    let _e53 = (0.5f * _e43);
-    let _e54 = ((param_7.x * _e44) + _e53);
-    let _e55 = ((param_7.y * _e44) + _e53);
-    let _e57 = ((param_7.w * _e44) + _e53);
-    let _e59 = (_e55 - (_e54 * _e54));
-    let _e61 = (((param_7.z * _e44) + _e53) - (_e54 * _e55));
-    if ((bitcast<u32>(param_8) & 2147483647u) > 2139095040u) {
-        phi_218_ = param_8;
-    } else {
-        if (param_8 < 0f) {
-            phi_217_ = 0f;
+        if (param_6 < 0f) {
+            phi_206_ = 0f;
         } else {
-            if (param_8 > 1f) {
-                phi_216_ = 1f;
+            if (param_6 > 1f) {
+                phi_205_ = 1f;
             } else {
-                phi_216_ = param_8;
+                phi_205_ = param_6;
             }
-            let _e73 = phi_216_;
-            phi_217_ = _e73;
+            let _e72 = phi_205_;
+            phi_206_ = _e72;
         }
-        let _e75 = phi_217_;
-        phi_218_ = _e75;
+        let _e74 = phi_206_;
+        phi_207_ = _e74;
     }
-    let _e77 = phi_218_;
-    if (_e54 == _e57) {
-        phi_224_ = (_e54 > 0.5f);
+    let _e76 = phi_207_;
+    if (_e53 == _e56) {
+        phi_213_ = (_e53 > 0.5f);
     } else {
-        phi_224_ = false;
+        phi_213_ = false;
     }
-    let _e81 = phi_224_;
-    if _e81 {
-        if (_e77 > 0f) {
-            if ((bitcast<u32>(_e54) & 2147483647u) > 2139095040u) {
-                phi_248_ = _e54;
+    let _e80 = phi_213_;
+    if _e80 {
+        if (_e76 > 0f) {
+            if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
+                phi_237_ = _e53;
             } else {
-                if (_e54 < 0f) {
-                    phi_247_ = 0f;
+                if (_e53 < 0f) {
+                    phi_236_ = 0f;
                 } else {
-                    if (_e54 > 1f) {
-                        phi_246_ = 1f;
+                    if (_e53 > 1f) {
+                        phi_235_ = 1f;
                     } else {
-                        phi_246_ = _e54;
+                        phi_235_ = _e53;
                     }
-                    let _e89 = phi_246_;
-                    phi_247_ = _e89;
+                    let _e88 = phi_235_;
+                    phi_236_ = _e88;
                 }
-                let _e91 = phi_247_;
-                phi_248_ = _e91;
+                let _e90 = phi_236_;
+                phi_237_ = _e90;
             }
-            let _e93 = phi_248_;
-            phi_249_ = _e93;
-            phi_250_ = false;
+            let _e92 = phi_237_;
+            phi_238_ = _e92;
+            phi_239_ = false;
         } else {
-            phi_249_ = f32();
-            phi_250_ = true;
+            phi_238_ = f32();
+            phi_239_ = true;
         }
-        let _e95 = phi_249_;
-        let _e97 = phi_250_;
-        phi_251_ = _e95;
-        phi_252_ = _e97;
+        let _e94 = phi_238_;
+        let _e96 = phi_239_;
+        phi_240_ = _e94;
+        phi_241_ = _e96;
     } else {
-        phi_251_ = f32();
-        phi_252_ = true;
+        phi_240_ = f32();
+        phi_241_ = true;
     }
-    let _e99 = phi_251_;
-    let _e101 = phi_252_;
-    if _e101 {
-        let _e102 = (_e61 / _e59);
-        let _e103 = (_e77 - _e54);
-        let _e109 = (((((_e77 * _e77) - _e55) - (_e102 * _e103)) * _e59) / (((_e57 - (_e55 * _e55)) * _e59) - (_e61 * _e61)));
-        let _e112 = ((_e103 / _e59) - (_e102 * _e109));
-        let _e118 = ((0.5f * _e112) / _e109);
-        let _e121 = ((_e118 * _e118) - (((1f - (_e112 * _e54)) - (_e109 * _e55)) / _e109));
-        if (_e121 >= 0f) {
-            let _e123 = sqrt(_e121);
-            phi_290_ = vec2<f32>((-(_e118) - _e123), (-(_e118) + _e123));
+    let _e98 = phi_240_;
+    let _e100 = phi_241_;
+    if _e100 {
+        let _e101 = (_e60 / _e58);
+        let _e102 = (_e76 - _e53);
+        let _e108 = (((((_e76 * _e76) - _e54) - (_e101 * _e102)) * _e58) / (((_e56 - (_e54 * _e54)) * _e58) - (_e60 * _e60)));
+        let _e111 = ((_e102 / _e58) - (_e101 * _e108));
+        let _e117 = ((0.5f * _e111) / _e108);
+        let _e120 = ((_e117 * _e117) - (((1f - (_e111 * _e53)) - (_e108 * _e54)) / _e108));
+        if (_e120 >= 0f) {
+            let _e122 = sqrt(_e120);
+            phi_279_ = vec2<f32>((-(_e117) - _e122), (-(_e117) + _e122));
         } else {
-            phi_290_ = vec2(bitcast<f32>((bitcast<u32>(_e121) | 2143289344u)));
+            phi_279_ = vec2(bitcast<f32>((bitcast<u32>(_e120) | 2143289344u)));
         }
-        let _e134 = phi_290_;
-        if (_e77 <= _e134.x) {
-            phi_363_ = 1f;
+        let _e133 = phi_279_;
+        if (_e76 <= _e133.x) {
+            phi_352_ = 1f;
         } else {
-            if (_e77 > _e134.y) {
-                let _e147 = (((_e55 - (_e54 * (_e134.x + _e134.y))) + (_e134.x * _e134.y)) / ((_e77 - _e134.x) * (_e77 - _e134.y)));
-                if ((bitcast<u32>(_e147) & 2147483647u) > 2139095040u) {
-                    phi_326_ = _e147;
+            if (_e76 > _e133.y) {
+                let _e146 = (((_e54 - (_e53 * (_e133.x + _e133.y))) + (_e133.x * _e133.y)) / ((_e76 - _e133.x) * (_e76 - _e133.y)));
+                if ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u) {
+                    phi_315_ = _e146;
                 } else {
-                    if (_e147 < 0f) {
-                        phi_325_ = 0f;
+                    if (_e146 < 0f) {
+                        phi_314_ = 0f;
                     } else {
-                        if (_e147 > 1f) {
-                            phi_324_ = 1f;
+                        if (_e146 > 1f) {
+                            phi_313_ = 1f;
                         } else {
-                            phi_324_ = _e147;
+                            phi_313_ = _e146;
                         }
-                        let _e154 = phi_324_;
-                        phi_325_ = _e154;
+                        let _e153 = phi_313_;
+                        phi_314_ = _e153;
                     }
-                    let _e156 = phi_325_;
-                    phi_326_ = _e156;
+                    let _e155 = phi_314_;
+                    phi_315_ = _e155;
                 }
-                let _e158 = phi_326_;
-                phi_362_ = _e158;
+                let _e157 = phi_315_;
+                phi_351_ = _e157;
             } else {
-                if (_e77 > _e134.x) {
-                    let _e169 = (1f - (((_e55 - (_e54 * (_e77 + _e134.y))) + (_e77 * _e134.y)) / ((_e134.x - _e77) * (_e134.x - _e134.y))));
-                    if ((bitcast<u32>(_e169) & 2147483647u) > 2139095040u) {
-                        phi_357_ = _e169;
+                if (_e76 > _e133.x) {
+                    let _e168 = (1f - (((_e54 - (_e53 * (_e76 + _e133.y))) + (_e76 * _e133.y)) / ((_e133.x - _e76) * (_e133.x - _e133.y))));
+                    if ((bitcast<u32>(_e168) & 2147483647u) > 2139095040u) {
+                        phi_346_ = _e168;
                     } else {
-                        if (_e169 < 0f) {
-                            phi_356_ = 0f;
+                        if (_e168 < 0f) {
+                            phi_345_ = 0f;
                         } else {
-                            if (_e169 > 1f) {
-                                phi_355_ = 1f;
+                            if (_e168 > 1f) {
+                                phi_344_ = 1f;
                             } else {
-                                phi_355_ = _e169;
+                                phi_344_ = _e168;
                             }
-                            let _e176 = phi_355_;
-                            phi_356_ = _e176;
+                            let _e175 = phi_344_;
+                            phi_345_ = _e175;
                         }
-                        let _e178 = phi_356_;
-                        phi_357_ = _e178;
+                        let _e177 = phi_345_;
+                        phi_346_ = _e177;
                     }
-                    let _e180 = phi_357_;
-                    phi_361_ = _e180;
+                    let _e179 = phi_346_;
+                    phi_350_ = _e179;
                 } else {
-                    phi_361_ = bitcast<f32>((bitcast<u32>(_e134.x) | 2143289344u));
+                    phi_350_ = bitcast<f32>((bitcast<u32>(_e133.x) | 2143289344u));
                 }
-                let _e185 = phi_361_;
-                phi_362_ = _e185;
+                let _e184 = phi_350_;
+                phi_351_ = _e184;
             }
-            let _e187 = phi_362_;
-            phi_363_ = _e187;
+            let _e186 = phi_351_;
+            phi_352_ = _e186;
         }
-        let _e189 = phi_363_;
-        phi_364_ = _e189;
+        let _e188 = phi_352_;
+        phi_353_ = _e188;
     } else {
-        phi_364_ = _e99;
+        phi_353_ = _e98;
     }
-    let _e191 = phi_364_;
-    return _e191;
+    let _e190 = phi_353_;
+    return _e190;
 }
 
 fn function_() {
     var local: f32;
-    var phi_424_: bool;
-    var phi_425_: bool;
-    var phi_426_: bool;
-    var phi_427_: bool;
-    var phi_431_: bool;
-    var phi_501_: bool;
-    var phi_502_: bool;
-    var phi_513_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_514_: bool;
-    var phi_515_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_516_: bool;
-    var phi_523_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_527_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_547_: lt_math_LightPoint;
-    var phi_550_: u32;
-    var phi_552_: lt_math_LevelPoint;
-    var phi_638_: bool;
+    var phi_413_: bool;
+    var phi_414_: bool;
+    var phi_415_: bool;
+    var phi_416_: bool;
+    var phi_420_: bool;
+    var phi_490_: bool;
+    var phi_491_: bool;
+    var phi_502_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_503_: bool;
+    var phi_504_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_505_: bool;
+    var phi_512_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_516_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_536_: lt_math_LightPoint;
+    var phi_539_: u32;
+    var phi_541_: lt_math_LevelPoint;
+    var phi_627_: bool;
+    var phi_636_: bool;
+    var phi_645_: bool;
+    var phi_646_: bool;
     var phi_647_: bool;
-    var phi_656_: bool;
-    var phi_657_: bool;
-    var phi_658_: bool;
-    var phi_659_: bool;
-    var phi_660_: bool;
-    var phi_661_: bool;
-    var phi_662_: bool;
-    var phi_666_: bool;
+    var phi_648_: bool;
+    var phi_649_: bool;
+    var phi_650_: bool;
+    var phi_651_: bool;
+    var phi_655_: bool;
+    var phi_682_: bool;
+    var phi_683_: bool;
+    var phi_684_: bool;
+    var phi_685_: bool;
+    var phi_686_: bool;
+    var phi_687_: bool;
+    var phi_688_: bool;
+    var phi_689_: bool;
     var phi_693_: bool;
-    var phi_694_: bool;
-    var phi_695_: bool;
-    var phi_696_: bool;
-    var phi_697_: bool;
-    var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_704_: bool;
-    var phi_713_: lt_math_LightPoint;
-    var phi_714_: u32;
-    var phi_715_: lt_math_LevelPoint;
-    var phi_716_: bool;
-    var phi_548_: lt_math_LightPoint;
-    var phi_551_: u32;
-    var phi_553_: lt_math_LevelPoint;
-    var phi_717_: bool;
+    var phi_702_: lt_math_LightPoint;
+    var phi_703_: u32;
+    var phi_704_: lt_math_LevelPoint;
+    var phi_705_: bool;
+    var phi_537_: lt_math_LightPoint;
+    var phi_540_: u32;
+    var phi_542_: lt_math_LevelPoint;
+    var phi_706_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
-    var phi_760_: bool;
-    var phi_764_: bool;
-    var phi_846_: f32;
-    var phi_962_: f32;
-    var phi_963_: f32;
-    var phi_966_: f32;
-    var phi_995_: f32;
-    var phi_1000_: f32;
-    var phi_1001_: bool;
-    var phi_1002_: f32;
-    var phi_1003_: bool;
-    var phi_1007_: f32;
-    var phi_1027_: f32;
-    var phi_1032_: f32;
-    var phi_1033_: bool;
-    var phi_1034_: f32;
-    var phi_1035_: bool;
-    var phi_1039_: f32;
+    var phi_746_: bool;
+    var phi_747_: bool;
+    var phi_748_: bool;
+    var phi_749_: bool;
+    var phi_753_: bool;
+    var phi_835_: f32;
+    var phi_951_: f32;
+    var phi_952_: f32;
+    var phi_955_: f32;
+    var phi_984_: f32;
+    var phi_989_: f32;
+    var phi_990_: bool;
+    var phi_991_: f32;
+    var phi_992_: bool;
+    var phi_996_: f32;
+    var phi_1016_: f32;
+    var phi_1021_: f32;
+    var phi_1022_: bool;
+    var phi_1023_: f32;
+    var phi_1024_: bool;
+    var phi_1028_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1088_: i32;
-    var phi_1093_: i32;
-    var phi_1098_: i32;
-    var phi_1103_: i32;
-    var phi_1112_: i32;
-    var phi_1117_: i32;
-    var phi_1122_: i32;
-    var phi_1127_: i32;
-    var local_4: lt_math_LevelPoint;
-    var phi_1243_: f32;
-    var phi_1245_: evaluate_Verdict;
-    var phi_1246_: bool;
-    var phi_1247_: evaluate_Verdict;
-    var phi_1248_: bool;
-    var phi_1253_: evaluate_Verdict;
-    var phi_1254_: bool;
-    var phi_1256_: evaluate_Verdict;
-    var phi_1257_: evaluate_Verdict;
-    var phi_1258_: bool;
-    var phi_1262_: evaluate_Verdict;
-    var phi_1263_: evaluate_Verdict;
-    var phi_1264_: bool;
-    var phi_1268_: evaluate_Verdict;
+    var phi_1077_: i32;
+    var phi_1082_: i32;
+    var phi_1087_: i32;
+    var phi_1092_: i32;
+    var phi_1101_: i32;
+    var phi_1106_: i32;
+    var phi_1111_: i32;
+    var phi_1116_: i32;
+    var phi_1205_: evaluate_Verdict;
+    var phi_1206_: evaluate_Verdict;
+    var phi_1207_: bool;
+    var phi_1208_: evaluate_Verdict;
+    var phi_1209_: evaluate_Verdict;
+    var phi_1210_: bool;
+    var phi_1214_: evaluate_Verdict;
 
-    let _e41 = id_1;
-    let _e48 = arrayLength((&map.member));
-    let _e54 = arrayLength((&levels.member));
-    let _e57 = p.member.size[0u];
-    let _e59 = p.member.size[1u];
-    let _e60 = lt_shaders_entry_pixel_index(_e41, _e57, _e59);
-    if (bitcast<i32>(_e60.root) != 0i) {
-        let _e66 = p.member.level_count;
-        if (_e60.first_primitive < arrayLength((&samples.member))) {
+    let _e40 = id_1;
+    let _e47 = arrayLength((&map.member));
+    let _e53 = arrayLength((&levels.member));
+    let _e56 = p.member.size[0u];
+    let _e58 = p.member.size[1u];
+    let _e59 = lt_shaders_entry_pixel_index(_e40, _e56, _e58);
+    if (bitcast<i32>(_e59.root) != 0i) {
+        let _e65 = p.member.level_count;
+        if (_e59.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e73 = samples.member[(0u + _e60.first_primitive)].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[(0u + _e60.first_primitive)].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[(0u + _e60.first_primitive)].normal[2u];
-                let _e85 = global[2u];
-                phi_424_ = (_e83 == _e85);
-                phi_425_ = false;
+        let _e72 = samples.member[(0u + _e59.first_primitive)].normal[0u];
+        let _e74 = global[0u];
+        if (_e72 == _e74) {
+            let _e77 = samples.member[(0u + _e59.first_primitive)].normal[1u];
+            let _e79 = global[1u];
+            if (_e77 == _e79) {
+                let _e82 = samples.member[(0u + _e59.first_primitive)].normal[2u];
+                let _e84 = global[2u];
+                phi_413_ = (_e82 == _e84);
+                phi_414_ = false;
             } else {
-                phi_424_ = bool();
-                phi_425_ = true;
+                phi_413_ = bool();
+                phi_414_ = true;
             }
-            let _e88 = phi_424_;
-            let _e90 = phi_425_;
-            phi_426_ = _e88;
-            phi_427_ = _e90;
+            let _e87 = phi_413_;
+            let _e89 = phi_414_;
+            phi_415_ = _e87;
+            phi_416_ = _e89;
         } else {
-            phi_426_ = bool();
-            phi_427_ = true;
+            phi_415_ = bool();
+            phi_416_ = true;
         }
-        let _e92 = phi_426_;
-        let _e94 = phi_427_;
-        if _e94 {
-            phi_431_ = false;
+        let _e91 = phi_415_;
+        let _e93 = phi_416_;
+        if _e93 {
+            phi_420_ = false;
         } else {
-            phi_431_ = _e92;
+            phi_420_ = _e91;
         }
-        let _e96 = phi_431_;
-        if !(_e96) {
-            let _e99 = samples.member[(0u + _e60.first_primitive)].position;
-            let _e101 = p.member.light.place;
-            let _e107 = p.member.light.place[3u];
-            let _e114 = (_e101.x - (_e99.x * _e107));
-            let _e115 = (_e101.y - (_e99.y * _e107));
-            let _e116 = (_e101.z - (_e99.z * _e107));
-            let _e118 = samples.member[(0u + _e60.first_primitive)].normal;
-            if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
-                let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
-                let _e134 = p.member.light.axis;
-                let _e146 = p.member.light.place[3u];
-                if (_e146 == 0f) {
-                    phi_502_ = true;
+        let _e95 = phi_420_;
+        if !(_e95) {
+            let _e98 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e100 = p.member.light.place;
+            let _e106 = p.member.light.place[3u];
+            let _e113 = (_e100.x - (_e98.x * _e106));
+            let _e114 = (_e100.y - (_e98.y * _e106));
+            let _e115 = (_e100.z - (_e98.z * _e106));
+            let _e117 = samples.member[(0u + _e59.first_primitive)].normal;
+            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
+                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
+                let _e133 = p.member.light.axis;
+                let _e145 = p.member.light.place[3u];
+                if (_e145 == 0f) {
+                    phi_491_ = true;
                 } else {
-                    let _e149 = p.member.light.range_squared;
-                    if (_e132 <= _e149) {
-                        let _e152 = p.member.light.cos_outer;
-                        phi_501_ = (-((((_e114 * _e134.x) + (_e115 * _e134.y)) + (_e116 * _e134.z))) >= (_e152 * sqrt(_e132)));
+                    let _e148 = p.member.light.range_squared;
+                    if (_e131 <= _e148) {
+                        let _e151 = p.member.light.cos_outer;
+                        phi_490_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
                     } else {
-                        phi_501_ = false;
+                        phi_490_ = false;
                     }
-                    let _e157 = phi_501_;
-                    phi_502_ = _e157;
+                    let _e156 = phi_490_;
+                    phi_491_ = _e156;
                 }
-                let _e159 = phi_502_;
-                if _e159 {
-                    let _e161 = samples.member[(0u + _e60.first_primitive)].flags;
-                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
-                    phi_513_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
-                    phi_514_ = false;
+                let _e158 = phi_491_;
+                if _e158 {
+                    let _e160 = samples.member[(0u + _e59.first_primitive)].flags;
+                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+                    phi_502_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
+                    phi_503_ = false;
                 } else {
-                    phi_513_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_514_ = true;
+                    phi_502_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_503_ = true;
                 }
-                let _e180 = phi_513_;
-                let _e182 = phi_514_;
-                phi_515_ = _e180;
-                phi_516_ = _e182;
+                let _e179 = phi_502_;
+                let _e181 = phi_503_;
+                phi_504_ = _e179;
+                phi_505_ = _e181;
             } else {
-                phi_515_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_516_ = true;
+                phi_504_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_505_ = true;
             }
-            let _e184 = phi_515_;
-            let _e186 = phi_516_;
-            if _e186 {
-                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
-                phi_523_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
+            let _e183 = phi_504_;
+            let _e185 = phi_505_;
+            if _e185 {
+                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
+                phi_512_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
             } else {
-                phi_523_ = _e184;
+                phi_512_ = _e183;
             }
-            let _e203 = phi_523_;
-            phi_527_ = _e203;
+            let _e202 = phi_512_;
+            phi_516_ = _e202;
         } else {
-            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
-            phi_527_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
+            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
+            phi_516_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
         }
-        let _e220 = phi_527_;
-        if _e220.unnamed_1 {
-            phi_1262_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
-            phi_1263_ = evaluate_Verdict();
-            phi_1264_ = true;
+        let _e219 = phi_516_;
+        if _e219.unnamed_1 {
+            phi_1208_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
+            phi_1209_ = evaluate_Verdict();
+            phi_1210_ = true;
         } else {
-            let _e228 = samples.member[(0u + _e60.first_primitive)].position;
-            let _e230 = p.member.map_size;
-            let _e232 = (0.5f / f32(_e230));
-            let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e246 = lt_math_LightPoint(vec2<f32>(_e239.uv.x, 0f), _e239.depth, _e239.is_inside);
-            let _e250 = lt_math_LightPoint(_e246.uv, 0f, _e246.is_inside);
-            phi_547_ = lt_math_LightPoint();
-            phi_550_ = 0u;
-            phi_552_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e250.uv, _e250.depth, false));
+            let _e227 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e229 = p.member.map_size;
+            let _e231 = (0.5f / f32(_e229));
+            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
+            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
+            phi_536_ = lt_math_LightPoint();
+            phi_539_ = 0u;
+            phi_541_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
             loop {
-                let _e257 = phi_547_;
-                let _e259 = phi_550_;
-                let _e261 = phi_552_;
-                local_1 = _e261;
-                local_2 = _e261;
-                local_3 = _e261;
-                local_4 = _e261;
-                if (_e259 < _e66) {
-                    if _e261.point.is_inside {
-                        phi_713_ = lt_math_LightPoint();
-                        phi_714_ = u32();
-                        phi_715_ = lt_math_LevelPoint();
-                        phi_716_ = false;
+                let _e256 = phi_536_;
+                let _e258 = phi_539_;
+                let _e260 = phi_541_;
+                local_1 = _e260;
+                local_2 = _e260;
+                local_3 = _e260;
+                if (_e258 < _e65) {
+                    if _e260.point.is_inside {
+                        phi_702_ = lt_math_LightPoint();
+                        phi_703_ = u32();
+                        phi_704_ = lt_math_LevelPoint();
+                        phi_705_ = false;
                     } else {
-                        if (_e259 < _e54) {
+                        if (_e258 < _e53) {
                         } else {
                             return;
                         }
-                        let _e272 = levels.member[(0u + _e259)].row_w;
-                        let _e283 = ((((_e272.x * _e228.x) + (_e272.y * _e228.y)) + (_e272.z * _e228.z)) + (_e272.w * 1f));
-                        let _e285 = levels.member[(0u + _e259)].row_x;
-                        let _e297 = (((((_e285.x * _e228.x) + (_e285.y * _e228.y)) + (_e285.z * _e228.z)) + (_e285.w * 1f)) / _e283);
-                        let _e299 = levels.member[(0u + _e259)].row_y;
-                        let _e311 = (((((_e299.x * _e228.x) + (_e299.y * _e228.y)) + (_e299.z * _e228.z)) + (_e299.w * 1f)) / _e283);
-                        let _e313 = levels.member[(0u + _e259)].row_z;
-                        let _e324 = ((((_e313.x * _e228.x) + (_e313.y * _e228.y)) + (_e313.z * _e228.z)) + (_e313.w * 1f));
-                        if (_e283 > 0f) {
-                            if (_e297 >= 0f) {
-                                phi_638_ = (_e297 <= 1f);
+                        let _e271 = levels.member[(0u + _e258)].row_w;
+                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
+                        let _e284 = levels.member[(0u + _e258)].row_x;
+                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
+                        let _e298 = levels.member[(0u + _e258)].row_y;
+                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
+                        let _e312 = levels.member[(0u + _e258)].row_z;
+                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
+                        if (_e282 > 0f) {
+                            if (_e296 >= 0f) {
+                                phi_627_ = (_e296 <= 1f);
                             } else {
-                                phi_638_ = false;
+                                phi_627_ = false;
                             }
-                            let _e329 = phi_638_;
-                            if _e329 {
-                                if (_e311 >= 0f) {
-                                    phi_647_ = (_e311 <= 1f);
+                            let _e328 = phi_627_;
+                            if _e328 {
+                                if (_e310 >= 0f) {
+                                    phi_636_ = (_e310 <= 1f);
                                 } else {
+                                    phi_636_ = false;
+                                }
+                                let _e332 = phi_636_;
+                                if _e332 {
+                                    if (_e323 >= 0f) {
+                                        phi_645_ = (_e323 <= 1f);
+                                    } else {
+                                        phi_645_ = false;
+                                    }
+                                    let _e336 = phi_645_;
+                                    phi_646_ = _e336;
                                     phi_647_ = false;
-                                }
-                                let _e333 = phi_647_;
-                                if _e333 {
-                                    if (_e324 >= 0f) {
-                                        phi_656_ = (_e324 <= 1f);
-                                    } else {
-                                        phi_656_ = false;
-                                    }
-                                    let _e337 = phi_656_;
-                                    phi_657_ = _e337;
-                                    phi_658_ = false;
                                 } else {
-                                    phi_657_ = bool();
-                                    phi_658_ = true;
+                                    phi_646_ = bool();
+                                    phi_647_ = true;
                                 }
-                                let _e339 = phi_657_;
-                                let _e341 = phi_658_;
-                                phi_659_ = _e339;
-                                phi_660_ = _e341;
+                                let _e338 = phi_646_;
+                                let _e340 = phi_647_;
+                                phi_648_ = _e338;
+                                phi_649_ = _e340;
                             } else {
-                                phi_659_ = bool();
-                                phi_660_ = true;
+                                phi_648_ = bool();
+                                phi_649_ = true;
                             }
-                            let _e343 = phi_659_;
-                            let _e345 = phi_660_;
-                            phi_661_ = _e343;
-                            phi_662_ = _e345;
+                            let _e342 = phi_648_;
+                            let _e344 = phi_649_;
+                            phi_650_ = _e342;
+                            phi_651_ = _e344;
                         } else {
-                            phi_661_ = bool();
-                            phi_662_ = true;
+                            phi_650_ = bool();
+                            phi_651_ = true;
                         }
-                        let _e347 = phi_661_;
-                        let _e349 = phi_662_;
-                        if _e349 {
-                            phi_666_ = false;
+                        let _e346 = phi_650_;
+                        let _e348 = phi_651_;
+                        if _e348 {
+                            phi_655_ = false;
                         } else {
-                            phi_666_ = _e347;
+                            phi_655_ = _e346;
                         }
-                        let _e351 = phi_666_;
-                        if _e351 {
-                            if (_e297 >= _e232) {
-                                if (_e297 <= (1f - _e232)) {
-                                    if (_e311 >= _e232) {
-                                        phi_693_ = (_e311 <= (1f - _e232));
-                                        phi_694_ = false;
+                        let _e350 = phi_655_;
+                        if _e350 {
+                            if (_e296 >= _e231) {
+                                if (_e296 <= (1f - _e231)) {
+                                    if (_e310 >= _e231) {
+                                        phi_682_ = (_e310 <= (1f - _e231));
+                                        phi_683_ = false;
                                     } else {
-                                        phi_693_ = bool();
-                                        phi_694_ = true;
+                                        phi_682_ = bool();
+                                        phi_683_ = true;
                                     }
-                                    let _e359 = phi_693_;
-                                    let _e361 = phi_694_;
-                                    phi_695_ = _e359;
-                                    phi_696_ = _e361;
+                                    let _e358 = phi_682_;
+                                    let _e360 = phi_683_;
+                                    phi_684_ = _e358;
+                                    phi_685_ = _e360;
                                 } else {
-                                    phi_695_ = bool();
-                                    phi_696_ = true;
+                                    phi_684_ = bool();
+                                    phi_685_ = true;
                                 }
-                                let _e363 = phi_695_;
-                                let _e365 = phi_696_;
-                                phi_697_ = _e363;
-                                phi_698_ = _e365;
+                                let _e362 = phi_684_;
+                                let _e364 = phi_685_;
+                                phi_686_ = _e362;
+                                phi_687_ = _e364;
                             } else {
-                                phi_697_ = bool();
-                                phi_698_ = true;
+                                phi_686_ = bool();
+                                phi_687_ = true;
                             }
-                            let _e367 = phi_697_;
-                            let _e369 = phi_698_;
-                            phi_699_ = _e367;
-                            phi_700_ = _e369;
+                            let _e366 = phi_686_;
+                            let _e368 = phi_687_;
+                            phi_688_ = _e366;
+                            phi_689_ = _e368;
                         } else {
-                            phi_699_ = bool();
-                            phi_700_ = true;
+                            phi_688_ = bool();
+                            phi_689_ = true;
                         }
-                        let _e371 = phi_699_;
-                        let _e373 = phi_700_;
-                        if _e373 {
-                            phi_704_ = false;
+                        let _e370 = phi_688_;
+                        let _e372 = phi_689_;
+                        if _e372 {
+                            phi_693_ = false;
                         } else {
-                            phi_704_ = _e371;
+                            phi_693_ = _e370;
                         }
-                        let _e375 = phi_704_;
-                        let _e382 = lt_math_LightPoint(vec2<f32>(_e297, _e257.uv.y), _e257.depth, _e257.is_inside);
-                        let _e389 = lt_math_LightPoint(vec2<f32>(_e382.uv.x, _e311), _e382.depth, _e382.is_inside);
-                        let _e393 = lt_math_LightPoint(_e389.uv, _e324, _e389.is_inside);
-                        let _e397 = lt_math_LightPoint(_e393.uv, _e393.depth, _e375);
-                        phi_713_ = _e397;
-                        phi_714_ = (_e259 + 1u);
-                        phi_715_ = lt_math_LevelPoint(_e259, _e397);
-                        phi_716_ = true;
+                        let _e374 = phi_693_;
+                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
+                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
+                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
+                        phi_702_ = _e396;
+                        phi_703_ = (_e258 + 1u);
+                        phi_704_ = lt_math_LevelPoint(_e258, _e396);
+                        phi_705_ = true;
                     }
-                    let _e401 = phi_713_;
-                    let _e403 = phi_714_;
-                    let _e405 = phi_715_;
-                    let _e407 = phi_716_;
-                    phi_548_ = _e401;
-                    phi_551_ = _e403;
-                    phi_553_ = _e405;
-                    phi_717_ = _e407;
+                    let _e400 = phi_702_;
+                    let _e402 = phi_703_;
+                    let _e404 = phi_704_;
+                    let _e406 = phi_705_;
+                    phi_537_ = _e400;
+                    phi_540_ = _e402;
+                    phi_542_ = _e404;
+                    phi_706_ = _e406;
                 } else {
-                    phi_548_ = lt_math_LightPoint();
-                    phi_551_ = u32();
-                    phi_553_ = lt_math_LevelPoint();
-                    phi_717_ = false;
+                    phi_537_ = lt_math_LightPoint();
+                    phi_540_ = u32();
+                    phi_542_ = lt_math_LevelPoint();
+                    phi_706_ = false;
                 }
-                let _e409 = phi_548_;
-                let _e411 = phi_551_;
-                let _e413 = phi_553_;
-                let _e415 = phi_717_;
+                let _e408 = phi_537_;
+                let _e410 = phi_540_;
+                let _e412 = phi_542_;
+                let _e414 = phi_706_;
                 continue;
                 continuing {
-                    phi_547_ = _e409;
-                    phi_550_ = _e411;
-                    phi_552_ = _e413;
-                    break if !(_e415);
+                    phi_536_ = _e408;
+                    phi_539_ = _e410;
+                    phi_541_ = _e412;
+                    break if !(_e414);
                 }
             }
-            let _e418 = local_1;
-            if _e418.point.is_inside {
+            let _e417 = local_1;
+            if _e417.point.is_inside {
                 if (0f > 0f) {
-                    let _e424 = local_2;
-                    if (_e424.level < _e54) {
+                    let _e423 = local_2;
+                    if (_e423.level < _e53) {
                     } else {
                         return;
                     }
-                    let _e429 = levels.member[(0u + _e424.level)];
-                    let _e435 = global[0u];
-                    if (_e429.row_w.x == _e435) {
-                        let _e438 = global[1u];
-                        if (_e429.row_w.y == _e438) {
-                            let _e441 = global[2u];
-                            phi_757_ = (_e429.row_w.z == _e441);
-                            phi_758_ = false;
+                    let _e428 = levels.member[(0u + _e423.level)];
+                    let _e434 = global[0u];
+                    if (_e428.row_w.x == _e434) {
+                        let _e437 = global[1u];
+                        if (_e428.row_w.y == _e437) {
+                            let _e440 = global[2u];
+                            phi_746_ = (_e428.row_w.z == _e440);
+                            phi_747_ = false;
                         } else {
-                            phi_757_ = bool();
-                            phi_758_ = true;
+                            phi_746_ = bool();
+                            phi_747_ = true;
                         }
-                        let _e444 = phi_757_;
-                        let _e446 = phi_758_;
-                        phi_759_ = _e444;
-                        phi_760_ = _e446;
+                        let _e443 = phi_746_;
+                        let _e445 = phi_747_;
+                        phi_748_ = _e443;
+                        phi_749_ = _e445;
                     } else {
-                        phi_759_ = bool();
-                        phi_760_ = true;
+                        phi_748_ = bool();
+                        phi_749_ = true;
                     }
-                    let _e448 = phi_759_;
-                    let _e450 = phi_760_;
-                    if _e450 {
-                        phi_764_ = false;
+                    let _e447 = phi_748_;
+                    let _e449 = phi_749_;
+                    if _e449 {
+                        phi_753_ = false;
                     } else {
-                        phi_764_ = _e448;
+                        phi_753_ = _e447;
                     }
-                    let _e452 = phi_764_;
-                    if _e452 {
-                        let _e454 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e456 = p.member.map_size;
-                        let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
-                        if (_e526 < 0.002f) {
-                            phi_846_ = _e526;
+                    let _e451 = phi_753_;
+                    if _e451 {
+                        let _e453 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e455 = p.member.map_size;
+                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
+                        if (_e525 < 0.002f) {
+                            phi_835_ = _e525;
                         } else {
-                            phi_846_ = 0.002f;
+                            phi_835_ = 0.002f;
                         }
-                        let _e529 = phi_846_;
-                        phi_963_ = _e529;
+                        let _e528 = phi_835_;
+                        phi_952_ = _e528;
                     } else {
-                        let _e531 = p.member.map_size;
-                        let _e537 = samples.member[(0u + _e60.first_primitive)].position;
-                        let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
-                        let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
-                        let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
-                        let _e563 = ((_e429.row_x.z - (_e429.row_w.z * _e418.point.uv.x)) / _e548);
-                        let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
-                        let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
-                        let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
-                        let _e584 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
-                        let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
-                        let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
-                        let _e601 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
-                        let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
-                        let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
-                        let _e643 = ((abs(((((_e429.row_z.x * _e589) + (_e429.row_z.y * _e594)) + (_e429.row_z.z * _e599)) / (((_e561 * _e589) + (_e562 * _e594)) + (_e563 * _e599)))) + abs(((((_e429.row_z.x * _e606) + (_e429.row_z.y * _e611)) + (_e429.row_z.z * _e616)) / (((_e576 * _e606) + (_e577 * _e611)) + (_e578 * _e616))))) / f32(_e531));
-                        if (_e643 < 0.002f) {
-                            phi_962_ = _e643;
+                        let _e530 = p.member.map_size;
+                        let _e536 = samples.member[(0u + _e59.first_primitive)].position;
+                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
+                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
+                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
+                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
+                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
+                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
+                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
+                        let _e583 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
+                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
+                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
+                        let _e600 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
+                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
+                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
+                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
+                        if (_e642 < 0.002f) {
+                            phi_951_ = _e642;
                         } else {
-                            phi_962_ = 0.002f;
+                            phi_951_ = 0.002f;
                         }
-                        let _e646 = phi_962_;
-                        phi_963_ = _e646;
+                        let _e645 = phi_951_;
+                        phi_952_ = _e645;
                     }
-                    let _e648 = phi_963_;
-                    phi_966_ = (_e418.point.depth - (0f * _e648));
+                    let _e647 = phi_952_;
+                    phi_955_ = (_e417.point.depth - (0f * _e647));
                 } else {
-                    phi_966_ = _e418.point.depth;
+                    phi_955_ = _e417.point.depth;
                 }
-                let _e652 = phi_966_;
-                let _e658 = p.member.map_size;
-                let _e659 = f32(_e658);
-                let _e662 = ((_e418.point.uv.x * _e659) - 0.5f);
-                let _e663 = ((_e418.point.uv.y * _e659) - 0.5f);
+                let _e651 = phi_955_;
+                let _e657 = p.member.map_size;
+                let _e658 = f32(_e657);
+                let _e661 = ((_e417.point.uv.x * _e658) - 0.5f);
+                let _e662 = ((_e417.point.uv.y * _e658) - 0.5f);
+                if (_e661 > -8388608f) {
+                    let _e674 = f32(select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < bitcast<f32>(3472883712u))), 2147483647i, (_e661 > bitcast<f32>(1325400063u))), (_e661 == _e661)));
+                    if (_e674 > _e661) {
+                        phi_984_ = 1f;
+                    } else {
+                        phi_984_ = 0f;
+                    }
+                    let _e677 = phi_984_;
+                    if (_e661 < 8388608f) {
+                        phi_989_ = (_e674 - _e677);
+                        phi_990_ = false;
+                    } else {
+                        phi_989_ = f32();
+                        phi_990_ = true;
+                    }
+                    let _e680 = phi_989_;
+                    let _e682 = phi_990_;
+                    phi_991_ = _e680;
+                    phi_992_ = _e682;
+                } else {
+                    phi_991_ = f32();
+                    phi_992_ = true;
+                }
+                let _e684 = phi_991_;
+                let _e686 = phi_992_;
+                if _e686 {
+                    phi_996_ = _e661;
+                } else {
+                    phi_996_ = _e684;
+                }
+                let _e688 = phi_996_;
                 if (_e662 > -8388608f) {
-                    let _e675 = f32(select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < bitcast<f32>(3472883712u))), 2147483647i, (_e662 > bitcast<f32>(1325400063u))), (_e662 == _e662)));
-                    if (_e675 > _e662) {
-                        phi_995_ = 1f;
+                    let _e700 = f32(select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < bitcast<f32>(3472883712u))), 2147483647i, (_e662 > bitcast<f32>(1325400063u))), (_e662 == _e662)));
+                    if (_e700 > _e662) {
+                        phi_1016_ = 1f;
                     } else {
-                        phi_995_ = 0f;
+                        phi_1016_ = 0f;
                     }
-                    let _e678 = phi_995_;
+                    let _e703 = phi_1016_;
                     if (_e662 < 8388608f) {
-                        phi_1000_ = (_e675 - _e678);
-                        phi_1001_ = false;
+                        phi_1021_ = (_e700 - _e703);
+                        phi_1022_ = false;
                     } else {
-                        phi_1000_ = f32();
-                        phi_1001_ = true;
+                        phi_1021_ = f32();
+                        phi_1022_ = true;
                     }
-                    let _e681 = phi_1000_;
-                    let _e683 = phi_1001_;
-                    phi_1002_ = _e681;
-                    phi_1003_ = _e683;
+                    let _e706 = phi_1021_;
+                    let _e708 = phi_1022_;
+                    phi_1023_ = _e706;
+                    phi_1024_ = _e708;
                 } else {
-                    phi_1002_ = f32();
-                    phi_1003_ = true;
+                    phi_1023_ = f32();
+                    phi_1024_ = true;
                 }
-                let _e685 = phi_1002_;
-                let _e687 = phi_1003_;
-                if _e687 {
-                    phi_1007_ = _e662;
+                let _e710 = phi_1023_;
+                let _e712 = phi_1024_;
+                if _e712 {
+                    phi_1028_ = _e662;
                 } else {
-                    phi_1007_ = _e685;
+                    phi_1028_ = _e710;
                 }
-                let _e689 = phi_1007_;
-                if (_e663 > -8388608f) {
-                    let _e701 = f32(select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < bitcast<f32>(3472883712u))), 2147483647i, (_e663 > bitcast<f32>(1325400063u))), (_e663 == _e663)));
-                    if (_e701 > _e663) {
-                        phi_1027_ = 1f;
-                    } else {
-                        phi_1027_ = 0f;
-                    }
-                    let _e704 = phi_1027_;
-                    if (_e663 < 8388608f) {
-                        phi_1032_ = (_e701 - _e704);
-                        phi_1033_ = false;
-                    } else {
-                        phi_1032_ = f32();
-                        phi_1033_ = true;
-                    }
-                    let _e707 = phi_1032_;
-                    let _e709 = phi_1033_;
-                    phi_1034_ = _e707;
-                    phi_1035_ = _e709;
+                let _e714 = phi_1028_;
+                let _e715 = (_e661 - _e688);
+                let _e716 = (_e662 - _e714);
+                let _e725 = select(0i, select(select(i32(_e688), i32(-2147483648), (_e688 < bitcast<f32>(3472883712u))), 2147483647i, (_e688 > bitcast<f32>(1325400063u))), (_e688 == _e688));
+                let _e734 = select(0i, select(select(i32(_e714), i32(-2147483648), (_e714 < bitcast<f32>(3472883712u))), 2147483647i, (_e714 > bitcast<f32>(1325400063u))), (_e714 == _e714));
+                let _e737 = ((1f - _e715) * (1f - _e716));
+                let _e739 = (_e715 * (1f - _e716));
+                let _e741 = ((1f - _e715) * _e716);
+                let _e742 = (_e715 * _e716);
+                let _e744 = p.member.test;
+                let _e745 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e744);
+                let _e747 = p.member.map_size;
+                let _e749 = local_3;
+                local = _e745;
+                let _e752 = ((_e749.level * _e747) * _e747);
+                let _e754 = (bitcast<i32>(_e747) - 1i);
+                if (_e725 > 0i) {
+                    phi_1077_ = _e725;
                 } else {
-                    phi_1034_ = f32();
-                    phi_1035_ = true;
+                    phi_1077_ = 0i;
                 }
-                let _e711 = phi_1034_;
-                let _e713 = phi_1035_;
-                if _e713 {
-                    phi_1039_ = _e663;
+                let _e757 = phi_1077_;
+                if (_e734 > 0i) {
+                    phi_1082_ = _e734;
                 } else {
-                    phi_1039_ = _e711;
+                    phi_1082_ = 0i;
                 }
-                let _e715 = phi_1039_;
-                let _e716 = (_e662 - _e689);
-                let _e717 = (_e663 - _e715);
-                let _e726 = select(0i, select(select(i32(_e689), i32(-2147483648), (_e689 < bitcast<f32>(3472883712u))), 2147483647i, (_e689 > bitcast<f32>(1325400063u))), (_e689 == _e689));
-                let _e735 = select(0i, select(select(i32(_e715), i32(-2147483648), (_e715 < bitcast<f32>(3472883712u))), 2147483647i, (_e715 > bitcast<f32>(1325400063u))), (_e715 == _e715));
-                let _e738 = ((1f - _e716) * (1f - _e717));
-                let _e740 = (_e716 * (1f - _e717));
-                let _e742 = ((1f - _e716) * _e717);
-                let _e743 = (_e716 * _e717);
-                let _e745 = p.member.test;
-                let _e746 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e745);
-                let _e748 = p.member.map_size;
-                let _e750 = local_3;
-                local = _e746;
-                let _e753 = ((_e750.level * _e748) * _e748);
-                let _e755 = (bitcast<i32>(_e748) - 1i);
-                if (_e726 > 0i) {
-                    phi_1088_ = _e726;
+                let _e760 = phi_1082_;
+                if (_e757 < _e754) {
+                    phi_1087_ = _e757;
                 } else {
-                    phi_1088_ = 0i;
+                    phi_1087_ = _e754;
                 }
-                let _e758 = phi_1088_;
-                if (_e735 > 0i) {
-                    phi_1093_ = _e735;
+                let _e763 = phi_1087_;
+                if (_e760 < _e754) {
+                    phi_1092_ = _e760;
                 } else {
-                    phi_1093_ = 0i;
+                    phi_1092_ = _e754;
                 }
-                let _e761 = phi_1093_;
-                if (_e758 < _e755) {
-                    phi_1098_ = _e758;
+                let _e766 = phi_1092_;
+                let _e767 = bitcast<u32>(_e763);
+                let _e769 = (_e725 + 1i);
+                let _e770 = (_e734 + 1i);
+                if (_e769 > 0i) {
+                    phi_1101_ = _e769;
                 } else {
-                    phi_1098_ = _e755;
+                    phi_1101_ = 0i;
                 }
-                let _e764 = phi_1098_;
-                if (_e761 < _e755) {
-                    phi_1103_ = _e761;
-                } else {
-                    phi_1103_ = _e755;
-                }
-                let _e767 = phi_1103_;
-                let _e768 = bitcast<u32>(_e764);
-                let _e770 = (_e726 + 1i);
-                let _e771 = (_e735 + 1i);
+                let _e773 = phi_1101_;
                 if (_e770 > 0i) {
-                    phi_1112_ = _e770;
+                    phi_1106_ = _e770;
                 } else {
-                    phi_1112_ = 0i;
+                    phi_1106_ = 0i;
                 }
-                let _e774 = phi_1112_;
-                if (_e771 > 0i) {
-                    phi_1117_ = _e771;
+                let _e776 = phi_1106_;
+                if (_e773 < _e754) {
+                    phi_1111_ = _e773;
                 } else {
-                    phi_1117_ = 0i;
+                    phi_1111_ = _e754;
                 }
-                let _e777 = phi_1117_;
-                if (_e774 < _e755) {
-                    phi_1122_ = _e774;
+                let _e779 = phi_1111_;
+                if (_e776 < _e754) {
+                    phi_1116_ = _e776;
                 } else {
-                    phi_1122_ = _e755;
+                    phi_1116_ = _e754;
                 }
-                let _e780 = phi_1122_;
-                if (_e777 < _e755) {
-                    phi_1127_ = _e777;
-                } else {
-                    phi_1127_ = _e755;
-                }
-                let _e783 = phi_1127_;
-                let _e784 = bitcast<u32>(_e780);
-                let _e786 = (bitcast<u32>(_e767) * _e748);
-                let _e787 = (bitcast<u32>(_e783) * _e748);
-                let _e792 = ((_e786 + _e768) + _e753);
-                let _e793 = ((_e786 + _e784) + _e753);
-                let _e794 = ((_e787 + _e768) + _e753);
-                let _e795 = ((_e787 + _e784) + _e753);
-                if (_e792 < _e48) {
+                let _e782 = phi_1116_;
+                let _e783 = bitcast<u32>(_e779);
+                let _e785 = (bitcast<u32>(_e766) * _e747);
+                let _e786 = (bitcast<u32>(_e782) * _e747);
+                let _e791 = ((_e785 + _e767) + _e752);
+                let _e792 = ((_e785 + _e783) + _e752);
+                let _e793 = ((_e786 + _e767) + _e752);
+                let _e794 = ((_e786 + _e783) + _e752);
+                if (_e791 < _e47) {
                 } else {
                     return;
                 }
-                let _e799 = map.member[(0u + _e792)];
-                if (_e793 < _e48) {
+                let _e798 = map.member[(0u + _e791)];
+                if (_e792 < _e47) {
                 } else {
                     return;
                 }
-                let _e811 = map.member[(0u + _e793)];
-                if (_e794 < _e48) {
+                let _e810 = map.member[(0u + _e792)];
+                if (_e793 < _e47) {
                 } else {
                     return;
                 }
-                let _e827 = map.member[(0u + _e794)];
-                if (_e795 < _e48) {
+                let _e826 = map.member[(0u + _e793)];
+                if (_e794 < _e47) {
                 } else {
                     return;
                 }
-                let _e843 = map.member[(0u + _e795)];
-                let _e857 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e799.x * _e738) + (_e811.x * _e740)) + (_e827.x * _e742)) + (_e843.x * _e743)), ((((_e799.y * _e738) + (_e811.y * _e740)) + (_e827.y * _e742)) + (_e843.y * _e743)), ((((_e799.z * _e738) + (_e811.z * _e740)) + (_e827.z * _e742)) + (_e843.z * _e743)), ((((_e799.w * _e738) + (_e811.w * _e740)) + (_e827.w * _e742)) + (_e843.w * _e743))), _e652);
-                let _e859 = p.member.fade_uv;
-                if (_e859 > 0f) {
-                    let _e862 = local_4;
-                    if ((_e862.level + 1u) == _e66) {
-                        let _e871 = p.member.fade_uv;
-                        let _e873 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e418.point.uv.x, (1f - _e418.point.uv.x));
-                        let _e875 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e418.point.uv.y, (1f - _e418.point.uv.y));
-                        let _e876 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e873, _e875);
-                        if (_e876 < _e871) {
-                            phi_1243_ = (1f - ((1f - _e857) * (_e876 / _e871)));
-                        } else {
-                            phi_1243_ = _e857;
-                        }
-                        let _e883 = phi_1243_;
-                        phi_1245_ = evaluate_Verdict(_e883, false);
-                        phi_1246_ = false;
-                    } else {
-                        phi_1245_ = evaluate_Verdict();
-                        phi_1246_ = true;
-                    }
-                    let _e886 = phi_1245_;
-                    let _e888 = phi_1246_;
-                    phi_1247_ = _e886;
-                    phi_1248_ = _e888;
-                } else {
-                    phi_1247_ = evaluate_Verdict();
-                    phi_1248_ = true;
-                }
-                let _e890 = phi_1247_;
-                let _e892 = phi_1248_;
-                if _e892 {
-                    phi_1253_ = evaluate_Verdict(_e857, false);
-                    phi_1254_ = false;
-                } else {
-                    phi_1253_ = evaluate_Verdict();
-                    phi_1254_ = true;
-                }
-                let _e895 = phi_1253_;
-                let _e897 = phi_1254_;
-                phi_1256_ = _e895;
-                phi_1257_ = _e890;
-                phi_1258_ = _e897;
+                let _e842 = map.member[(0u + _e794)];
+                let _e856 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e798.x * _e737) + (_e810.x * _e739)) + (_e826.x * _e741)) + (_e842.x * _e742)), ((((_e798.y * _e737) + (_e810.y * _e739)) + (_e826.y * _e741)) + (_e842.y * _e742)), ((((_e798.z * _e737) + (_e810.z * _e739)) + (_e826.z * _e741)) + (_e842.z * _e742)), ((((_e798.w * _e737) + (_e810.w * _e739)) + (_e826.w * _e741)) + (_e842.w * _e742))), _e651);
+                phi_1205_ = evaluate_Verdict(_e856, false);
+                phi_1206_ = evaluate_Verdict();
+                phi_1207_ = false;
             } else {
-                phi_1256_ = evaluate_Verdict();
-                phi_1257_ = evaluate_Verdict(1f, false);
-                phi_1258_ = true;
+                phi_1205_ = evaluate_Verdict();
+                phi_1206_ = evaluate_Verdict(1f, false);
+                phi_1207_ = true;
             }
-            let _e900 = phi_1256_;
-            let _e902 = phi_1257_;
-            let _e904 = phi_1258_;
-            if _e904 {
-            }
-            phi_1262_ = _e902;
-            phi_1263_ = _e900;
-            phi_1264_ = _e904;
+            let _e860 = phi_1205_;
+            let _e862 = phi_1206_;
+            let _e864 = phi_1207_;
+            phi_1208_ = _e862;
+            phi_1209_ = _e860;
+            phi_1210_ = _e864;
         }
-        let _e906 = phi_1262_;
-        let _e908 = phi_1263_;
-        let _e910 = phi_1264_;
-        if _e910 {
-            phi_1268_ = _e906;
+        let _e866 = phi_1208_;
+        let _e868 = phi_1209_;
+        let _e870 = phi_1210_;
+        if _e870 {
+            phi_1214_ = _e866;
         } else {
-            phi_1268_ = _e908;
+            phi_1214_ = _e868;
         }
-        let _e912 = phi_1268_;
-        if (_e60.first_primitive < arrayLength((&visibility.member))) {
+        let _e872 = phi_1214_;
+        if (_e59.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e60.first_primitive)] = _e912.visibility;
+        visibility.member[(0u + _e59.first_primitive)] = _e872.visibility;
     }
     return;
 }

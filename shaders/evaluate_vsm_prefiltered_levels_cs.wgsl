@@ -59,11 +59,11 @@ struct abi_ShadowParams {
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_36 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -87,7 +87,7 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_36;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
@@ -96,814 +96,752 @@ var<storage> levels: type_41;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_149_: lt_bvh_traverse_Tree;
-    var phi_150_: bool;
-    var phi_151_: lt_bvh_traverse_Tree;
-    var phi_152_: bool;
-    var phi_157_: lt_bvh_traverse_Tree;
+    var phi_146_: lt_bvh_traverse_Tree;
+    var phi_147_: bool;
+    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_149_: bool;
+    var phi_154_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_149_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_150_ = false;
+            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_147_ = false;
         } else {
-            phi_149_ = lt_bvh_traverse_Tree();
-            phi_150_ = true;
+            phi_146_ = lt_bvh_traverse_Tree();
+            phi_147_ = true;
         }
-        let _e53 = phi_149_;
-        let _e55 = phi_150_;
-        phi_151_ = _e53;
-        phi_152_ = _e55;
+        let _e52 = phi_146_;
+        let _e54 = phi_147_;
+        phi_148_ = _e52;
+        phi_149_ = _e54;
     } else {
-        phi_151_ = lt_bvh_traverse_Tree();
-        phi_152_ = true;
+        phi_148_ = lt_bvh_traverse_Tree();
+        phi_149_ = true;
     }
-    let _e57 = phi_151_;
-    let _e59 = phi_152_;
-    if _e59 {
-        phi_157_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e56 = phi_148_;
+    let _e58 = phi_149_;
+    if _e58 {
+        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_157_ = _e57;
+        phi_154_ = _e56;
     }
-    let _e64 = phi_157_;
-    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
+    let _e63 = phi_154_;
+    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
     return param_3.x;
 }
 
-fn lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(param_4: f32, param_5: f32) -> f32 {
-    var phi_171_: f32;
+fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
+    var phi_179_: f32;
+    var phi_180_: f32;
+    var phi_181_: f32;
+    var phi_199_: bool;
+    var phi_203_: f32;
+    var phi_215_: bool;
+    var phi_222_: f32;
+    var phi_237_: f32;
+    var phi_238_: f32;
+    var phi_239_: f32;
 
-    if (param_4 < param_5) {
-        phi_171_ = param_4;
+    if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
+        phi_181_ = param_6;
     } else {
-        phi_171_ = param_5;
-    }
-    let _e44 = phi_171_;
-    return _e44;
-}
-
-fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_6: ptr<function, f32>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_190_: f32;
-    var phi_191_: f32;
-    var phi_192_: f32;
-    var phi_210_: bool;
-    var phi_214_: f32;
-    var phi_226_: bool;
-    var phi_233_: f32;
-    var phi_248_: f32;
-    var phi_249_: f32;
-    var phi_250_: f32;
-
-    if ((bitcast<u32>(param_8) & 2147483647u) > 2139095040u) {
-        phi_192_ = param_8;
-    } else {
-        if (param_8 < 0f) {
-            phi_191_ = 0f;
+        if (param_6 < 0f) {
+            phi_180_ = 0f;
         } else {
-            if (param_8 > 1f) {
-                phi_190_ = 1f;
+            if (param_6 > 1f) {
+                phi_179_ = 1f;
             } else {
-                phi_190_ = param_8;
+                phi_179_ = param_6;
             }
-            let _e49 = phi_190_;
-            phi_191_ = _e49;
+            let _e48 = phi_179_;
+            phi_180_ = _e48;
         }
-        let _e51 = phi_191_;
-        phi_192_ = _e51;
+        let _e50 = phi_180_;
+        phi_181_ = _e50;
     }
-    let _e53 = phi_192_;
-    let _e56 = (*param_6);
-    let _e60 = ((param_7.y - (param_7.x * param_7.x)) + (0.00000047683716f * param_7.y));
-    if ((bitcast<u32>(_e56) & 2147483647u) > 2139095040u) {
-        phi_210_ = true;
+    let _e52 = phi_181_;
+    let _e55 = (*param_4);
+    let _e59 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
+    if ((bitcast<u32>(_e55) & 2147483647u) > 2139095040u) {
+        phi_199_ = true;
     } else {
-        let _e64 = (_e56 > _e60);
-        if _e64 {
+        let _e63 = (_e55 > _e59);
+        if _e63 {
         }
-        phi_210_ = _e64;
+        phi_199_ = _e63;
     }
-    let _e66 = phi_210_;
-    if _e66 {
-        phi_214_ = _e56;
+    let _e65 = phi_199_;
+    if _e65 {
+        phi_203_ = _e55;
     } else {
-        phi_214_ = _e60;
+        phi_203_ = _e59;
     }
-    let _e68 = phi_214_;
-    let _e69 = (_e53 - param_7.x);
-    if (_e69 <= 0f) {
-        let _e73 = ((bitcast<u32>(_e68) & 2147483647u) > 2139095040u);
-        if _e73 {
+    let _e67 = phi_203_;
+    let _e68 = (_e52 - param_5.x);
+    if (_e68 <= 0f) {
+        let _e72 = ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u);
+        if _e72 {
         }
-        phi_226_ = _e73;
+        phi_215_ = _e72;
     } else {
-        phi_226_ = true;
+        phi_215_ = true;
     }
-    let _e75 = phi_226_;
-    if _e75 {
-        phi_233_ = (_e68 / (_e68 + (_e69 * _e69)));
+    let _e74 = phi_215_;
+    if _e74 {
+        phi_222_ = (_e67 / (_e67 + (_e68 * _e68)));
     } else {
-        phi_233_ = 1f;
+        phi_222_ = 1f;
     }
-    let _e80 = phi_233_;
-    if ((bitcast<u32>(_e80) & 2147483647u) > 2139095040u) {
-        phi_250_ = _e80;
+    let _e79 = phi_222_;
+    if ((bitcast<u32>(_e79) & 2147483647u) > 2139095040u) {
+        phi_239_ = _e79;
     } else {
-        if (_e80 < 0f) {
-            phi_249_ = 0f;
+        if (_e79 < 0f) {
+            phi_238_ = 0f;
         } else {
-            if (_e80 > 1f) {
-                phi_248_ = 1f;
+            if (_e79 > 1f) {
+                phi_237_ = 1f;
             } else {
-                phi_248_ = _e80;
+                phi_237_ = _e79;
             }
-            let _e87 = phi_248_;
-            phi_249_ = _e87;
+            let _e86 = phi_237_;
+            phi_238_ = _e86;
         }
-        let _e89 = phi_249_;
-        phi_250_ = _e89;
+        let _e88 = phi_238_;
+        phi_239_ = _e88;
     }
-    let _e91 = phi_250_;
-    return _e91;
+    let _e90 = phi_239_;
+    return _e90;
 }
 
 fn function_() {
     var local: f32;
-    var phi_310_: bool;
-    var phi_311_: bool;
-    var phi_312_: bool;
-    var phi_313_: bool;
-    var phi_317_: bool;
-    var phi_387_: bool;
-    var phi_388_: bool;
-    var phi_399_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_400_: bool;
-    var phi_401_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_402_: bool;
-    var phi_409_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_413_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_433_: lt_math_LightPoint;
-    var phi_436_: u32;
-    var phi_438_: lt_math_LevelPoint;
-    var phi_524_: bool;
+    var phi_299_: bool;
+    var phi_300_: bool;
+    var phi_301_: bool;
+    var phi_302_: bool;
+    var phi_306_: bool;
+    var phi_376_: bool;
+    var phi_377_: bool;
+    var phi_388_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_389_: bool;
+    var phi_390_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_391_: bool;
+    var phi_398_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_402_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_422_: lt_math_LightPoint;
+    var phi_425_: u32;
+    var phi_427_: lt_math_LevelPoint;
+    var phi_513_: bool;
+    var phi_522_: bool;
+    var phi_531_: bool;
+    var phi_532_: bool;
     var phi_533_: bool;
-    var phi_542_: bool;
-    var phi_543_: bool;
-    var phi_544_: bool;
-    var phi_545_: bool;
-    var phi_546_: bool;
-    var phi_547_: bool;
-    var phi_548_: bool;
-    var phi_552_: bool;
+    var phi_534_: bool;
+    var phi_535_: bool;
+    var phi_536_: bool;
+    var phi_537_: bool;
+    var phi_541_: bool;
+    var phi_568_: bool;
+    var phi_569_: bool;
+    var phi_570_: bool;
+    var phi_571_: bool;
+    var phi_572_: bool;
+    var phi_573_: bool;
+    var phi_574_: bool;
+    var phi_575_: bool;
     var phi_579_: bool;
-    var phi_580_: bool;
-    var phi_581_: bool;
-    var phi_582_: bool;
-    var phi_583_: bool;
-    var phi_584_: bool;
-    var phi_585_: bool;
-    var phi_586_: bool;
-    var phi_590_: bool;
-    var phi_599_: lt_math_LightPoint;
-    var phi_600_: u32;
-    var phi_601_: lt_math_LevelPoint;
-    var phi_602_: bool;
-    var phi_434_: lt_math_LightPoint;
-    var phi_437_: u32;
-    var phi_439_: lt_math_LevelPoint;
-    var phi_603_: bool;
+    var phi_588_: lt_math_LightPoint;
+    var phi_589_: u32;
+    var phi_590_: lt_math_LevelPoint;
+    var phi_591_: bool;
+    var phi_423_: lt_math_LightPoint;
+    var phi_426_: u32;
+    var phi_428_: lt_math_LevelPoint;
+    var phi_592_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_643_: bool;
-    var phi_644_: bool;
-    var phi_645_: bool;
-    var phi_646_: bool;
-    var phi_650_: bool;
-    var phi_732_: f32;
-    var phi_848_: f32;
-    var phi_849_: f32;
-    var phi_852_: f32;
-    var phi_881_: f32;
-    var phi_886_: f32;
-    var phi_887_: bool;
-    var phi_888_: f32;
-    var phi_889_: bool;
-    var phi_893_: f32;
-    var phi_913_: f32;
-    var phi_918_: f32;
-    var phi_919_: bool;
-    var phi_920_: f32;
-    var phi_921_: bool;
-    var phi_925_: f32;
+    var phi_632_: bool;
+    var phi_633_: bool;
+    var phi_634_: bool;
+    var phi_635_: bool;
+    var phi_639_: bool;
+    var phi_721_: f32;
+    var phi_837_: f32;
+    var phi_838_: f32;
+    var phi_841_: f32;
+    var phi_870_: f32;
+    var phi_875_: f32;
+    var phi_876_: bool;
+    var phi_877_: f32;
+    var phi_878_: bool;
+    var phi_882_: f32;
+    var phi_902_: f32;
+    var phi_907_: f32;
+    var phi_908_: bool;
+    var phi_909_: f32;
+    var phi_910_: bool;
+    var phi_914_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_974_: i32;
-    var phi_979_: i32;
-    var phi_984_: i32;
-    var phi_989_: i32;
-    var phi_998_: i32;
-    var phi_1003_: i32;
-    var phi_1008_: i32;
-    var phi_1013_: i32;
-    var local_4: lt_math_LevelPoint;
-    var phi_1129_: f32;
-    var phi_1131_: evaluate_Verdict;
-    var phi_1132_: bool;
-    var phi_1133_: evaluate_Verdict;
-    var phi_1134_: bool;
-    var phi_1139_: evaluate_Verdict;
-    var phi_1140_: bool;
-    var phi_1142_: evaluate_Verdict;
-    var phi_1143_: evaluate_Verdict;
-    var phi_1144_: bool;
-    var phi_1148_: evaluate_Verdict;
-    var phi_1149_: evaluate_Verdict;
-    var phi_1150_: bool;
-    var phi_1154_: evaluate_Verdict;
+    var phi_963_: i32;
+    var phi_968_: i32;
+    var phi_973_: i32;
+    var phi_978_: i32;
+    var phi_987_: i32;
+    var phi_992_: i32;
+    var phi_997_: i32;
+    var phi_1002_: i32;
+    var phi_1091_: evaluate_Verdict;
+    var phi_1092_: evaluate_Verdict;
+    var phi_1093_: bool;
+    var phi_1094_: evaluate_Verdict;
+    var phi_1095_: evaluate_Verdict;
+    var phi_1096_: bool;
+    var phi_1100_: evaluate_Verdict;
 
-    let _e41 = id_1;
-    let _e48 = arrayLength((&map.member));
-    let _e54 = arrayLength((&levels.member));
-    let _e57 = p.member.size[0u];
-    let _e59 = p.member.size[1u];
-    let _e60 = lt_shaders_entry_pixel_index(_e41, _e57, _e59);
-    if (bitcast<i32>(_e60.root) != 0i) {
-        let _e66 = p.member.level_count;
-        if (_e60.first_primitive < arrayLength((&samples.member))) {
+    let _e40 = id_1;
+    let _e47 = arrayLength((&map.member));
+    let _e53 = arrayLength((&levels.member));
+    let _e56 = p.member.size[0u];
+    let _e58 = p.member.size[1u];
+    let _e59 = lt_shaders_entry_pixel_index(_e40, _e56, _e58);
+    if (bitcast<i32>(_e59.root) != 0i) {
+        let _e65 = p.member.level_count;
+        if (_e59.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e73 = samples.member[(0u + _e60.first_primitive)].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[(0u + _e60.first_primitive)].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[(0u + _e60.first_primitive)].normal[2u];
-                let _e85 = global[2u];
-                phi_310_ = (_e83 == _e85);
-                phi_311_ = false;
+        let _e72 = samples.member[(0u + _e59.first_primitive)].normal[0u];
+        let _e74 = global[0u];
+        if (_e72 == _e74) {
+            let _e77 = samples.member[(0u + _e59.first_primitive)].normal[1u];
+            let _e79 = global[1u];
+            if (_e77 == _e79) {
+                let _e82 = samples.member[(0u + _e59.first_primitive)].normal[2u];
+                let _e84 = global[2u];
+                phi_299_ = (_e82 == _e84);
+                phi_300_ = false;
             } else {
-                phi_310_ = bool();
-                phi_311_ = true;
+                phi_299_ = bool();
+                phi_300_ = true;
             }
-            let _e88 = phi_310_;
-            let _e90 = phi_311_;
-            phi_312_ = _e88;
-            phi_313_ = _e90;
+            let _e87 = phi_299_;
+            let _e89 = phi_300_;
+            phi_301_ = _e87;
+            phi_302_ = _e89;
         } else {
-            phi_312_ = bool();
-            phi_313_ = true;
+            phi_301_ = bool();
+            phi_302_ = true;
         }
-        let _e92 = phi_312_;
-        let _e94 = phi_313_;
-        if _e94 {
-            phi_317_ = false;
+        let _e91 = phi_301_;
+        let _e93 = phi_302_;
+        if _e93 {
+            phi_306_ = false;
         } else {
-            phi_317_ = _e92;
+            phi_306_ = _e91;
         }
-        let _e96 = phi_317_;
-        if !(_e96) {
-            let _e99 = samples.member[(0u + _e60.first_primitive)].position;
-            let _e101 = p.member.light.place;
-            let _e107 = p.member.light.place[3u];
-            let _e114 = (_e101.x - (_e99.x * _e107));
-            let _e115 = (_e101.y - (_e99.y * _e107));
-            let _e116 = (_e101.z - (_e99.z * _e107));
-            let _e118 = samples.member[(0u + _e60.first_primitive)].normal;
-            if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
-                let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
-                let _e134 = p.member.light.axis;
-                let _e146 = p.member.light.place[3u];
-                if (_e146 == 0f) {
-                    phi_388_ = true;
+        let _e95 = phi_306_;
+        if !(_e95) {
+            let _e98 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e100 = p.member.light.place;
+            let _e106 = p.member.light.place[3u];
+            let _e113 = (_e100.x - (_e98.x * _e106));
+            let _e114 = (_e100.y - (_e98.y * _e106));
+            let _e115 = (_e100.z - (_e98.z * _e106));
+            let _e117 = samples.member[(0u + _e59.first_primitive)].normal;
+            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
+                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
+                let _e133 = p.member.light.axis;
+                let _e145 = p.member.light.place[3u];
+                if (_e145 == 0f) {
+                    phi_377_ = true;
                 } else {
-                    let _e149 = p.member.light.range_squared;
-                    if (_e132 <= _e149) {
-                        let _e152 = p.member.light.cos_outer;
-                        phi_387_ = (-((((_e114 * _e134.x) + (_e115 * _e134.y)) + (_e116 * _e134.z))) >= (_e152 * sqrt(_e132)));
+                    let _e148 = p.member.light.range_squared;
+                    if (_e131 <= _e148) {
+                        let _e151 = p.member.light.cos_outer;
+                        phi_376_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
                     } else {
-                        phi_387_ = false;
+                        phi_376_ = false;
                     }
-                    let _e157 = phi_387_;
-                    phi_388_ = _e157;
+                    let _e156 = phi_376_;
+                    phi_377_ = _e156;
                 }
-                let _e159 = phi_388_;
-                if _e159 {
-                    let _e161 = samples.member[(0u + _e60.first_primitive)].flags;
-                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
-                    phi_399_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
-                    phi_400_ = false;
+                let _e158 = phi_377_;
+                if _e158 {
+                    let _e160 = samples.member[(0u + _e59.first_primitive)].flags;
+                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+                    phi_388_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
+                    phi_389_ = false;
                 } else {
-                    phi_399_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_400_ = true;
+                    phi_388_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_389_ = true;
                 }
-                let _e180 = phi_399_;
-                let _e182 = phi_400_;
-                phi_401_ = _e180;
-                phi_402_ = _e182;
+                let _e179 = phi_388_;
+                let _e181 = phi_389_;
+                phi_390_ = _e179;
+                phi_391_ = _e181;
             } else {
-                phi_401_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_402_ = true;
+                phi_390_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_391_ = true;
             }
-            let _e184 = phi_401_;
-            let _e186 = phi_402_;
-            if _e186 {
-                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
-                phi_409_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
+            let _e183 = phi_390_;
+            let _e185 = phi_391_;
+            if _e185 {
+                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
+                phi_398_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
             } else {
-                phi_409_ = _e184;
+                phi_398_ = _e183;
             }
-            let _e203 = phi_409_;
-            phi_413_ = _e203;
+            let _e202 = phi_398_;
+            phi_402_ = _e202;
         } else {
-            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
-            phi_413_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
+            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
+            phi_402_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
         }
-        let _e220 = phi_413_;
-        if _e220.unnamed_1 {
-            phi_1148_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
-            phi_1149_ = evaluate_Verdict();
-            phi_1150_ = true;
+        let _e219 = phi_402_;
+        if _e219.unnamed_1 {
+            phi_1094_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
+            phi_1095_ = evaluate_Verdict();
+            phi_1096_ = true;
         } else {
-            let _e228 = samples.member[(0u + _e60.first_primitive)].position;
-            let _e230 = p.member.map_size;
-            let _e232 = (0.5f / f32(_e230));
-            let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e246 = lt_math_LightPoint(vec2<f32>(_e239.uv.x, 0f), _e239.depth, _e239.is_inside);
-            let _e250 = lt_math_LightPoint(_e246.uv, 0f, _e246.is_inside);
-            phi_433_ = lt_math_LightPoint();
-            phi_436_ = 0u;
-            phi_438_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e250.uv, _e250.depth, false));
+            let _e227 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e229 = p.member.map_size;
+            let _e231 = (0.5f / f32(_e229));
+            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
+            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
+            phi_422_ = lt_math_LightPoint();
+            phi_425_ = 0u;
+            phi_427_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
             loop {
-                let _e257 = phi_433_;
-                let _e259 = phi_436_;
-                let _e261 = phi_438_;
-                local_1 = _e261;
-                local_2 = _e261;
-                local_3 = _e261;
-                local_4 = _e261;
-                if (_e259 < _e66) {
-                    if _e261.point.is_inside {
-                        phi_599_ = lt_math_LightPoint();
-                        phi_600_ = u32();
-                        phi_601_ = lt_math_LevelPoint();
-                        phi_602_ = false;
+                let _e256 = phi_422_;
+                let _e258 = phi_425_;
+                let _e260 = phi_427_;
+                local_1 = _e260;
+                local_2 = _e260;
+                local_3 = _e260;
+                if (_e258 < _e65) {
+                    if _e260.point.is_inside {
+                        phi_588_ = lt_math_LightPoint();
+                        phi_589_ = u32();
+                        phi_590_ = lt_math_LevelPoint();
+                        phi_591_ = false;
                     } else {
-                        if (_e259 < _e54) {
+                        if (_e258 < _e53) {
                         } else {
                             return;
                         }
-                        let _e272 = levels.member[(0u + _e259)].row_w;
-                        let _e283 = ((((_e272.x * _e228.x) + (_e272.y * _e228.y)) + (_e272.z * _e228.z)) + (_e272.w * 1f));
-                        let _e285 = levels.member[(0u + _e259)].row_x;
-                        let _e297 = (((((_e285.x * _e228.x) + (_e285.y * _e228.y)) + (_e285.z * _e228.z)) + (_e285.w * 1f)) / _e283);
-                        let _e299 = levels.member[(0u + _e259)].row_y;
-                        let _e311 = (((((_e299.x * _e228.x) + (_e299.y * _e228.y)) + (_e299.z * _e228.z)) + (_e299.w * 1f)) / _e283);
-                        let _e313 = levels.member[(0u + _e259)].row_z;
-                        let _e324 = ((((_e313.x * _e228.x) + (_e313.y * _e228.y)) + (_e313.z * _e228.z)) + (_e313.w * 1f));
-                        if (_e283 > 0f) {
-                            if (_e297 >= 0f) {
-                                phi_524_ = (_e297 <= 1f);
+                        let _e271 = levels.member[(0u + _e258)].row_w;
+                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
+                        let _e284 = levels.member[(0u + _e258)].row_x;
+                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
+                        let _e298 = levels.member[(0u + _e258)].row_y;
+                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
+                        let _e312 = levels.member[(0u + _e258)].row_z;
+                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
+                        if (_e282 > 0f) {
+                            if (_e296 >= 0f) {
+                                phi_513_ = (_e296 <= 1f);
                             } else {
-                                phi_524_ = false;
+                                phi_513_ = false;
                             }
-                            let _e329 = phi_524_;
-                            if _e329 {
-                                if (_e311 >= 0f) {
-                                    phi_533_ = (_e311 <= 1f);
+                            let _e328 = phi_513_;
+                            if _e328 {
+                                if (_e310 >= 0f) {
+                                    phi_522_ = (_e310 <= 1f);
                                 } else {
+                                    phi_522_ = false;
+                                }
+                                let _e332 = phi_522_;
+                                if _e332 {
+                                    if (_e323 >= 0f) {
+                                        phi_531_ = (_e323 <= 1f);
+                                    } else {
+                                        phi_531_ = false;
+                                    }
+                                    let _e336 = phi_531_;
+                                    phi_532_ = _e336;
                                     phi_533_ = false;
-                                }
-                                let _e333 = phi_533_;
-                                if _e333 {
-                                    if (_e324 >= 0f) {
-                                        phi_542_ = (_e324 <= 1f);
-                                    } else {
-                                        phi_542_ = false;
-                                    }
-                                    let _e337 = phi_542_;
-                                    phi_543_ = _e337;
-                                    phi_544_ = false;
                                 } else {
-                                    phi_543_ = bool();
-                                    phi_544_ = true;
+                                    phi_532_ = bool();
+                                    phi_533_ = true;
                                 }
-                                let _e339 = phi_543_;
-                                let _e341 = phi_544_;
-                                phi_545_ = _e339;
-                                phi_546_ = _e341;
+                                let _e338 = phi_532_;
+                                let _e340 = phi_533_;
+                                phi_534_ = _e338;
+                                phi_535_ = _e340;
                             } else {
-                                phi_545_ = bool();
-                                phi_546_ = true;
+                                phi_534_ = bool();
+                                phi_535_ = true;
                             }
-                            let _e343 = phi_545_;
-                            let _e345 = phi_546_;
-                            phi_547_ = _e343;
-                            phi_548_ = _e345;
+                            let _e342 = phi_534_;
+                            let _e344 = phi_535_;
+                            phi_536_ = _e342;
+                            phi_537_ = _e344;
                         } else {
-                            phi_547_ = bool();
-                            phi_548_ = true;
+                            phi_536_ = bool();
+                            phi_537_ = true;
                         }
-                        let _e347 = phi_547_;
-                        let _e349 = phi_548_;
-                        if _e349 {
-                            phi_552_ = false;
+                        let _e346 = phi_536_;
+                        let _e348 = phi_537_;
+                        if _e348 {
+                            phi_541_ = false;
                         } else {
-                            phi_552_ = _e347;
+                            phi_541_ = _e346;
                         }
-                        let _e351 = phi_552_;
-                        if _e351 {
-                            if (_e297 >= _e232) {
-                                if (_e297 <= (1f - _e232)) {
-                                    if (_e311 >= _e232) {
-                                        phi_579_ = (_e311 <= (1f - _e232));
-                                        phi_580_ = false;
+                        let _e350 = phi_541_;
+                        if _e350 {
+                            if (_e296 >= _e231) {
+                                if (_e296 <= (1f - _e231)) {
+                                    if (_e310 >= _e231) {
+                                        phi_568_ = (_e310 <= (1f - _e231));
+                                        phi_569_ = false;
                                     } else {
-                                        phi_579_ = bool();
-                                        phi_580_ = true;
+                                        phi_568_ = bool();
+                                        phi_569_ = true;
                                     }
-                                    let _e359 = phi_579_;
-                                    let _e361 = phi_580_;
-                                    phi_581_ = _e359;
-                                    phi_582_ = _e361;
+                                    let _e358 = phi_568_;
+                                    let _e360 = phi_569_;
+                                    phi_570_ = _e358;
+                                    phi_571_ = _e360;
                                 } else {
-                                    phi_581_ = bool();
-                                    phi_582_ = true;
+                                    phi_570_ = bool();
+                                    phi_571_ = true;
                                 }
-                                let _e363 = phi_581_;
-                                let _e365 = phi_582_;
-                                phi_583_ = _e363;
-                                phi_584_ = _e365;
+                                let _e362 = phi_570_;
+                                let _e364 = phi_571_;
+                                phi_572_ = _e362;
+                                phi_573_ = _e364;
                             } else {
-                                phi_583_ = bool();
-                                phi_584_ = true;
+                                phi_572_ = bool();
+                                phi_573_ = true;
                             }
-                            let _e367 = phi_583_;
-                            let _e369 = phi_584_;
-                            phi_585_ = _e367;
-                            phi_586_ = _e369;
+                            let _e366 = phi_572_;
+                            let _e368 = phi_573_;
+                            phi_574_ = _e366;
+                            phi_575_ = _e368;
                         } else {
-                            phi_585_ = bool();
-                            phi_586_ = true;
+                            phi_574_ = bool();
+                            phi_575_ = true;
                         }
-                        let _e371 = phi_585_;
-                        let _e373 = phi_586_;
-                        if _e373 {
-                            phi_590_ = false;
+                        let _e370 = phi_574_;
+                        let _e372 = phi_575_;
+                        if _e372 {
+                            phi_579_ = false;
                         } else {
-                            phi_590_ = _e371;
+                            phi_579_ = _e370;
                         }
-                        let _e375 = phi_590_;
-                        let _e382 = lt_math_LightPoint(vec2<f32>(_e297, _e257.uv.y), _e257.depth, _e257.is_inside);
-                        let _e389 = lt_math_LightPoint(vec2<f32>(_e382.uv.x, _e311), _e382.depth, _e382.is_inside);
-                        let _e393 = lt_math_LightPoint(_e389.uv, _e324, _e389.is_inside);
-                        let _e397 = lt_math_LightPoint(_e393.uv, _e393.depth, _e375);
-                        phi_599_ = _e397;
-                        phi_600_ = (_e259 + 1u);
-                        phi_601_ = lt_math_LevelPoint(_e259, _e397);
-                        phi_602_ = true;
+                        let _e374 = phi_579_;
+                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
+                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
+                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
+                        phi_588_ = _e396;
+                        phi_589_ = (_e258 + 1u);
+                        phi_590_ = lt_math_LevelPoint(_e258, _e396);
+                        phi_591_ = true;
                     }
-                    let _e401 = phi_599_;
-                    let _e403 = phi_600_;
-                    let _e405 = phi_601_;
-                    let _e407 = phi_602_;
-                    phi_434_ = _e401;
-                    phi_437_ = _e403;
-                    phi_439_ = _e405;
-                    phi_603_ = _e407;
+                    let _e400 = phi_588_;
+                    let _e402 = phi_589_;
+                    let _e404 = phi_590_;
+                    let _e406 = phi_591_;
+                    phi_423_ = _e400;
+                    phi_426_ = _e402;
+                    phi_428_ = _e404;
+                    phi_592_ = _e406;
                 } else {
-                    phi_434_ = lt_math_LightPoint();
-                    phi_437_ = u32();
-                    phi_439_ = lt_math_LevelPoint();
-                    phi_603_ = false;
+                    phi_423_ = lt_math_LightPoint();
+                    phi_426_ = u32();
+                    phi_428_ = lt_math_LevelPoint();
+                    phi_592_ = false;
                 }
-                let _e409 = phi_434_;
-                let _e411 = phi_437_;
-                let _e413 = phi_439_;
-                let _e415 = phi_603_;
+                let _e408 = phi_423_;
+                let _e410 = phi_426_;
+                let _e412 = phi_428_;
+                let _e414 = phi_592_;
                 continue;
                 continuing {
-                    phi_433_ = _e409;
-                    phi_436_ = _e411;
-                    phi_438_ = _e413;
-                    break if !(_e415);
+                    phi_422_ = _e408;
+                    phi_425_ = _e410;
+                    phi_427_ = _e412;
+                    break if !(_e414);
                 }
             }
-            let _e418 = local_1;
-            if _e418.point.is_inside {
+            let _e417 = local_1;
+            if _e417.point.is_inside {
                 if (0f > 0f) {
-                    let _e424 = local_2;
-                    if (_e424.level < _e54) {
+                    let _e423 = local_2;
+                    if (_e423.level < _e53) {
                     } else {
                         return;
                     }
-                    let _e429 = levels.member[(0u + _e424.level)];
-                    let _e435 = global[0u];
-                    if (_e429.row_w.x == _e435) {
-                        let _e438 = global[1u];
-                        if (_e429.row_w.y == _e438) {
-                            let _e441 = global[2u];
-                            phi_643_ = (_e429.row_w.z == _e441);
-                            phi_644_ = false;
+                    let _e428 = levels.member[(0u + _e423.level)];
+                    let _e434 = global[0u];
+                    if (_e428.row_w.x == _e434) {
+                        let _e437 = global[1u];
+                        if (_e428.row_w.y == _e437) {
+                            let _e440 = global[2u];
+                            phi_632_ = (_e428.row_w.z == _e440);
+                            phi_633_ = false;
                         } else {
-                            phi_643_ = bool();
-                            phi_644_ = true;
+                            phi_632_ = bool();
+                            phi_633_ = true;
                         }
-                        let _e444 = phi_643_;
-                        let _e446 = phi_644_;
-                        phi_645_ = _e444;
-                        phi_646_ = _e446;
+                        let _e443 = phi_632_;
+                        let _e445 = phi_633_;
+                        phi_634_ = _e443;
+                        phi_635_ = _e445;
                     } else {
-                        phi_645_ = bool();
-                        phi_646_ = true;
+                        phi_634_ = bool();
+                        phi_635_ = true;
                     }
-                    let _e448 = phi_645_;
-                    let _e450 = phi_646_;
-                    if _e450 {
-                        phi_650_ = false;
+                    let _e447 = phi_634_;
+                    let _e449 = phi_635_;
+                    if _e449 {
+                        phi_639_ = false;
                     } else {
-                        phi_650_ = _e448;
+                        phi_639_ = _e447;
                     }
-                    let _e452 = phi_650_;
-                    if _e452 {
-                        let _e454 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e456 = p.member.map_size;
-                        let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
-                        if (_e526 < 0.002f) {
-                            phi_732_ = _e526;
+                    let _e451 = phi_639_;
+                    if _e451 {
+                        let _e453 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e455 = p.member.map_size;
+                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
+                        if (_e525 < 0.002f) {
+                            phi_721_ = _e525;
                         } else {
-                            phi_732_ = 0.002f;
+                            phi_721_ = 0.002f;
                         }
-                        let _e529 = phi_732_;
-                        phi_849_ = _e529;
+                        let _e528 = phi_721_;
+                        phi_838_ = _e528;
                     } else {
-                        let _e531 = p.member.map_size;
-                        let _e537 = samples.member[(0u + _e60.first_primitive)].position;
-                        let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
-                        let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
-                        let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
-                        let _e563 = ((_e429.row_x.z - (_e429.row_w.z * _e418.point.uv.x)) / _e548);
-                        let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
-                        let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
-                        let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
-                        let _e584 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
-                        let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
-                        let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
-                        let _e601 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
-                        let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
-                        let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
-                        let _e643 = ((abs(((((_e429.row_z.x * _e589) + (_e429.row_z.y * _e594)) + (_e429.row_z.z * _e599)) / (((_e561 * _e589) + (_e562 * _e594)) + (_e563 * _e599)))) + abs(((((_e429.row_z.x * _e606) + (_e429.row_z.y * _e611)) + (_e429.row_z.z * _e616)) / (((_e576 * _e606) + (_e577 * _e611)) + (_e578 * _e616))))) / f32(_e531));
-                        if (_e643 < 0.002f) {
-                            phi_848_ = _e643;
+                        let _e530 = p.member.map_size;
+                        let _e536 = samples.member[(0u + _e59.first_primitive)].position;
+                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
+                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
+                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
+                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
+                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
+                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
+                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
+                        let _e583 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
+                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
+                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
+                        let _e600 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
+                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
+                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
+                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
+                        if (_e642 < 0.002f) {
+                            phi_837_ = _e642;
                         } else {
-                            phi_848_ = 0.002f;
+                            phi_837_ = 0.002f;
                         }
-                        let _e646 = phi_848_;
-                        phi_849_ = _e646;
+                        let _e645 = phi_837_;
+                        phi_838_ = _e645;
                     }
-                    let _e648 = phi_849_;
-                    phi_852_ = (_e418.point.depth - (0f * _e648));
+                    let _e647 = phi_838_;
+                    phi_841_ = (_e417.point.depth - (0f * _e647));
                 } else {
-                    phi_852_ = _e418.point.depth;
+                    phi_841_ = _e417.point.depth;
                 }
-                let _e652 = phi_852_;
-                let _e658 = p.member.map_size;
-                let _e659 = f32(_e658);
-                let _e662 = ((_e418.point.uv.x * _e659) - 0.5f);
-                let _e663 = ((_e418.point.uv.y * _e659) - 0.5f);
+                let _e651 = phi_841_;
+                let _e657 = p.member.map_size;
+                let _e658 = f32(_e657);
+                let _e661 = ((_e417.point.uv.x * _e658) - 0.5f);
+                let _e662 = ((_e417.point.uv.y * _e658) - 0.5f);
+                if (_e661 > -8388608f) {
+                    let _e674 = f32(select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < bitcast<f32>(3472883712u))), 2147483647i, (_e661 > bitcast<f32>(1325400063u))), (_e661 == _e661)));
+                    if (_e674 > _e661) {
+                        phi_870_ = 1f;
+                    } else {
+                        phi_870_ = 0f;
+                    }
+                    let _e677 = phi_870_;
+                    if (_e661 < 8388608f) {
+                        phi_875_ = (_e674 - _e677);
+                        phi_876_ = false;
+                    } else {
+                        phi_875_ = f32();
+                        phi_876_ = true;
+                    }
+                    let _e680 = phi_875_;
+                    let _e682 = phi_876_;
+                    phi_877_ = _e680;
+                    phi_878_ = _e682;
+                } else {
+                    phi_877_ = f32();
+                    phi_878_ = true;
+                }
+                let _e684 = phi_877_;
+                let _e686 = phi_878_;
+                if _e686 {
+                    phi_882_ = _e661;
+                } else {
+                    phi_882_ = _e684;
+                }
+                let _e688 = phi_882_;
                 if (_e662 > -8388608f) {
-                    let _e675 = f32(select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < bitcast<f32>(3472883712u))), 2147483647i, (_e662 > bitcast<f32>(1325400063u))), (_e662 == _e662)));
-                    if (_e675 > _e662) {
-                        phi_881_ = 1f;
+                    let _e700 = f32(select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < bitcast<f32>(3472883712u))), 2147483647i, (_e662 > bitcast<f32>(1325400063u))), (_e662 == _e662)));
+                    if (_e700 > _e662) {
+                        phi_902_ = 1f;
                     } else {
-                        phi_881_ = 0f;
+                        phi_902_ = 0f;
                     }
-                    let _e678 = phi_881_;
+                    let _e703 = phi_902_;
                     if (_e662 < 8388608f) {
-                        phi_886_ = (_e675 - _e678);
-                        phi_887_ = false;
+                        phi_907_ = (_e700 - _e703);
+                        phi_908_ = false;
                     } else {
-                        phi_886_ = f32();
-                        phi_887_ = true;
+                        phi_907_ = f32();
+                        phi_908_ = true;
                     }
-                    let _e681 = phi_886_;
-                    let _e683 = phi_887_;
-                    phi_888_ = _e681;
-                    phi_889_ = _e683;
+                    let _e706 = phi_907_;
+                    let _e708 = phi_908_;
+                    phi_909_ = _e706;
+                    phi_910_ = _e708;
                 } else {
-                    phi_888_ = f32();
-                    phi_889_ = true;
+                    phi_909_ = f32();
+                    phi_910_ = true;
                 }
-                let _e685 = phi_888_;
-                let _e687 = phi_889_;
-                if _e687 {
-                    phi_893_ = _e662;
+                let _e710 = phi_909_;
+                let _e712 = phi_910_;
+                if _e712 {
+                    phi_914_ = _e662;
                 } else {
-                    phi_893_ = _e685;
+                    phi_914_ = _e710;
                 }
-                let _e689 = phi_893_;
-                if (_e663 > -8388608f) {
-                    let _e701 = f32(select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < bitcast<f32>(3472883712u))), 2147483647i, (_e663 > bitcast<f32>(1325400063u))), (_e663 == _e663)));
-                    if (_e701 > _e663) {
-                        phi_913_ = 1f;
-                    } else {
-                        phi_913_ = 0f;
-                    }
-                    let _e704 = phi_913_;
-                    if (_e663 < 8388608f) {
-                        phi_918_ = (_e701 - _e704);
-                        phi_919_ = false;
-                    } else {
-                        phi_918_ = f32();
-                        phi_919_ = true;
-                    }
-                    let _e707 = phi_918_;
-                    let _e709 = phi_919_;
-                    phi_920_ = _e707;
-                    phi_921_ = _e709;
+                let _e714 = phi_914_;
+                let _e715 = (_e661 - _e688);
+                let _e716 = (_e662 - _e714);
+                let _e725 = select(0i, select(select(i32(_e688), i32(-2147483648), (_e688 < bitcast<f32>(3472883712u))), 2147483647i, (_e688 > bitcast<f32>(1325400063u))), (_e688 == _e688));
+                let _e734 = select(0i, select(select(i32(_e714), i32(-2147483648), (_e714 < bitcast<f32>(3472883712u))), 2147483647i, (_e714 > bitcast<f32>(1325400063u))), (_e714 == _e714));
+                let _e737 = ((1f - _e715) * (1f - _e716));
+                let _e739 = (_e715 * (1f - _e716));
+                let _e741 = ((1f - _e715) * _e716);
+                let _e742 = (_e715 * _e716);
+                let _e744 = p.member.test;
+                let _e745 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e744);
+                let _e747 = p.member.map_size;
+                let _e749 = local_3;
+                local = _e745;
+                let _e752 = ((_e749.level * _e747) * _e747);
+                let _e754 = (bitcast<i32>(_e747) - 1i);
+                if (_e725 > 0i) {
+                    phi_963_ = _e725;
                 } else {
-                    phi_920_ = f32();
-                    phi_921_ = true;
+                    phi_963_ = 0i;
                 }
-                let _e711 = phi_920_;
-                let _e713 = phi_921_;
-                if _e713 {
-                    phi_925_ = _e663;
+                let _e757 = phi_963_;
+                if (_e734 > 0i) {
+                    phi_968_ = _e734;
                 } else {
-                    phi_925_ = _e711;
+                    phi_968_ = 0i;
                 }
-                let _e715 = phi_925_;
-                let _e716 = (_e662 - _e689);
-                let _e717 = (_e663 - _e715);
-                let _e726 = select(0i, select(select(i32(_e689), i32(-2147483648), (_e689 < bitcast<f32>(3472883712u))), 2147483647i, (_e689 > bitcast<f32>(1325400063u))), (_e689 == _e689));
-                let _e735 = select(0i, select(select(i32(_e715), i32(-2147483648), (_e715 < bitcast<f32>(3472883712u))), 2147483647i, (_e715 > bitcast<f32>(1325400063u))), (_e715 == _e715));
-                let _e738 = ((1f - _e716) * (1f - _e717));
-                let _e740 = (_e716 * (1f - _e717));
-                let _e742 = ((1f - _e716) * _e717);
-                let _e743 = (_e716 * _e717);
-                let _e745 = p.member.test;
-                let _e746 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e745);
-                let _e748 = p.member.map_size;
-                let _e750 = local_3;
-                local = _e746;
-                let _e753 = ((_e750.level * _e748) * _e748);
-                let _e755 = (bitcast<i32>(_e748) - 1i);
-                if (_e726 > 0i) {
-                    phi_974_ = _e726;
+                let _e760 = phi_968_;
+                if (_e757 < _e754) {
+                    phi_973_ = _e757;
                 } else {
-                    phi_974_ = 0i;
+                    phi_973_ = _e754;
                 }
-                let _e758 = phi_974_;
-                if (_e735 > 0i) {
-                    phi_979_ = _e735;
+                let _e763 = phi_973_;
+                if (_e760 < _e754) {
+                    phi_978_ = _e760;
                 } else {
-                    phi_979_ = 0i;
+                    phi_978_ = _e754;
                 }
-                let _e761 = phi_979_;
-                if (_e758 < _e755) {
-                    phi_984_ = _e758;
+                let _e766 = phi_978_;
+                let _e767 = bitcast<u32>(_e763);
+                let _e769 = (_e725 + 1i);
+                let _e770 = (_e734 + 1i);
+                if (_e769 > 0i) {
+                    phi_987_ = _e769;
                 } else {
-                    phi_984_ = _e755;
+                    phi_987_ = 0i;
                 }
-                let _e764 = phi_984_;
-                if (_e761 < _e755) {
-                    phi_989_ = _e761;
-                } else {
-                    phi_989_ = _e755;
-                }
-                let _e767 = phi_989_;
-                let _e768 = bitcast<u32>(_e764);
-                let _e770 = (_e726 + 1i);
-                let _e771 = (_e735 + 1i);
+                let _e773 = phi_987_;
                 if (_e770 > 0i) {
-                    phi_998_ = _e770;
+                    phi_992_ = _e770;
                 } else {
-                    phi_998_ = 0i;
+                    phi_992_ = 0i;
                 }
-                let _e774 = phi_998_;
-                if (_e771 > 0i) {
-                    phi_1003_ = _e771;
+                let _e776 = phi_992_;
+                if (_e773 < _e754) {
+                    phi_997_ = _e773;
                 } else {
-                    phi_1003_ = 0i;
+                    phi_997_ = _e754;
                 }
-                let _e777 = phi_1003_;
-                if (_e774 < _e755) {
-                    phi_1008_ = _e774;
+                let _e779 = phi_997_;
+                if (_e776 < _e754) {
+                    phi_1002_ = _e776;
                 } else {
-                    phi_1008_ = _e755;
+                    phi_1002_ = _e754;
                 }
-                let _e780 = phi_1008_;
-                if (_e777 < _e755) {
-                    phi_1013_ = _e777;
-                } else {
-                    phi_1013_ = _e755;
-                }
-                let _e783 = phi_1013_;
-                let _e784 = bitcast<u32>(_e780);
-                let _e786 = (bitcast<u32>(_e767) * _e748);
-                let _e787 = (bitcast<u32>(_e783) * _e748);
-                let _e792 = ((_e786 + _e768) + _e753);
-                let _e793 = ((_e786 + _e784) + _e753);
-                let _e794 = ((_e787 + _e768) + _e753);
-                let _e795 = ((_e787 + _e784) + _e753);
-                if (_e792 < _e48) {
+                let _e782 = phi_1002_;
+                let _e783 = bitcast<u32>(_e779);
+                let _e785 = (bitcast<u32>(_e766) * _e747);
+                let _e786 = (bitcast<u32>(_e782) * _e747);
+                let _e791 = ((_e785 + _e767) + _e752);
+                let _e792 = ((_e785 + _e783) + _e752);
+                let _e793 = ((_e786 + _e767) + _e752);
+                let _e794 = ((_e786 + _e783) + _e752);
+                if (_e791 < _e47) {
                 } else {
                     return;
                 }
-                let _e799 = map.member[(0u + _e792)];
-                if (_e793 < _e48) {
+                let _e798 = map.member[(0u + _e791)];
+                if (_e792 < _e47) {
                 } else {
                     return;
                 }
-                let _e811 = map.member[(0u + _e793)];
-                if (_e794 < _e48) {
+                let _e810 = map.member[(0u + _e792)];
+                if (_e793 < _e47) {
                 } else {
                     return;
                 }
-                let _e827 = map.member[(0u + _e794)];
-                if (_e795 < _e48) {
+                let _e826 = map.member[(0u + _e793)];
+                if (_e794 < _e47) {
                 } else {
                     return;
                 }
-                let _e843 = map.member[(0u + _e795)];
-                let _e857 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e799.x * _e738) + (_e811.x * _e740)) + (_e827.x * _e742)) + (_e843.x * _e743)), ((((_e799.y * _e738) + (_e811.y * _e740)) + (_e827.y * _e742)) + (_e843.y * _e743)), ((((_e799.z * _e738) + (_e811.z * _e740)) + (_e827.z * _e742)) + (_e843.z * _e743)), ((((_e799.w * _e738) + (_e811.w * _e740)) + (_e827.w * _e742)) + (_e843.w * _e743))), _e652);
-                let _e859 = p.member.fade_uv;
-                if (_e859 > 0f) {
-                    let _e862 = local_4;
-                    if ((_e862.level + 1u) == _e66) {
-                        let _e871 = p.member.fade_uv;
-                        let _e873 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e418.point.uv.x, (1f - _e418.point.uv.x));
-                        let _e875 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e418.point.uv.y, (1f - _e418.point.uv.y));
-                        let _e876 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e873, _e875);
-                        if (_e876 < _e871) {
-                            phi_1129_ = (1f - ((1f - _e857) * (_e876 / _e871)));
-                        } else {
-                            phi_1129_ = _e857;
-                        }
-                        let _e883 = phi_1129_;
-                        phi_1131_ = evaluate_Verdict(_e883, false);
-                        phi_1132_ = false;
-                    } else {
-                        phi_1131_ = evaluate_Verdict();
-                        phi_1132_ = true;
-                    }
-                    let _e886 = phi_1131_;
-                    let _e888 = phi_1132_;
-                    phi_1133_ = _e886;
-                    phi_1134_ = _e888;
-                } else {
-                    phi_1133_ = evaluate_Verdict();
-                    phi_1134_ = true;
-                }
-                let _e890 = phi_1133_;
-                let _e892 = phi_1134_;
-                if _e892 {
-                    phi_1139_ = evaluate_Verdict(_e857, false);
-                    phi_1140_ = false;
-                } else {
-                    phi_1139_ = evaluate_Verdict();
-                    phi_1140_ = true;
-                }
-                let _e895 = phi_1139_;
-                let _e897 = phi_1140_;
-                phi_1142_ = _e895;
-                phi_1143_ = _e890;
-                phi_1144_ = _e897;
+                let _e842 = map.member[(0u + _e794)];
+                let _e856 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e798.x * _e737) + (_e810.x * _e739)) + (_e826.x * _e741)) + (_e842.x * _e742)), ((((_e798.y * _e737) + (_e810.y * _e739)) + (_e826.y * _e741)) + (_e842.y * _e742)), ((((_e798.z * _e737) + (_e810.z * _e739)) + (_e826.z * _e741)) + (_e842.z * _e742)), ((((_e798.w * _e737) + (_e810.w * _e739)) + (_e826.w * _e741)) + (_e842.w * _e742))), _e651);
+                phi_1091_ = evaluate_Verdict(_e856, false);
+                phi_1092_ = evaluate_Verdict();
+                phi_1093_ = false;
             } else {
-                phi_1142_ = evaluate_Verdict();
-                phi_1143_ = evaluate_Verdict(1f, false);
-                phi_1144_ = true;
+                phi_1091_ = evaluate_Verdict();
+                phi_1092_ = evaluate_Verdict(1f, false);
+                phi_1093_ = true;
             }
-            let _e900 = phi_1142_;
-            let _e902 = phi_1143_;
-            let _e904 = phi_1144_;
-            if _e904 {
-            }
-            phi_1148_ = _e902;
-            phi_1149_ = _e900;
-            phi_1150_ = _e904;
+            let _e860 = phi_1091_;
+            let _e862 = phi_1092_;
+            let _e864 = phi_1093_;
+            phi_1094_ = _e862;
+            phi_1095_ = _e860;
+            phi_1096_ = _e864;
         }
-        let _e906 = phi_1148_;
-        let _e908 = phi_1149_;
-        let _e910 = phi_1150_;
-        if _e910 {
-            phi_1154_ = _e906;
+        let _e866 = phi_1094_;
+        let _e868 = phi_1095_;
+        let _e870 = phi_1096_;
+        if _e870 {
+            phi_1100_ = _e866;
         } else {
-            phi_1154_ = _e908;
+            phi_1100_ = _e868;
         }
-        let _e912 = phi_1154_;
-        if (_e60.first_primitive < arrayLength((&visibility.member))) {
+        let _e872 = phi_1100_;
+        if (_e59.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e60.first_primitive)] = _e912.visibility;
+        visibility.member[(0u + _e59.first_primitive)] = _e872.visibility;
     }
     return;
 }

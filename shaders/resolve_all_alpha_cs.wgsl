@@ -49,11 +49,48 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
     row_z: vec4<f32>,
     row_w: vec4<f32>,
+}
+
+struct abi_ShadowParams {
+    projection: lt_math_LightProjection,
+    light: abi_LightParams,
+    test: vec4<f32>,
+    size: vec2<u32>,
+    map_size: u32,
+    epsilon: f32,
+    root: u32,
+    level_count: u32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_37 {
+    member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_42 {
+    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Triangle {
@@ -65,7 +102,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_36 {
+struct type_46 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -77,7 +114,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_40 {
+struct type_50 {
     member: array<abi_Vertex>,
 }
 
@@ -89,42 +126,12 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_44 {
+struct type_54 {
     member: array<abi_Material>,
-}
-
-struct texture_TexelQuad {
-    indices: array<u32, 4>,
-    weights: vec4<f32>,
-}
-
-struct texture_Axis {
-    low: u32,
-    high: u32,
-    fraction: f32,
-}
-
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_57 {
-    member: array<lt_bvh_Node>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
@@ -139,21 +146,15 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-struct abi_ShadowParams {
-    projection: lt_math_LightProjection,
-    light: abi_LightParams,
-    test: vec4<f32>,
-    size: vec2<u32>,
-    map_size: u32,
-    epsilon: f32,
-    root: u32,
-    level_count: u32,
-    fade_uv: f32,
-    pad0_: u32,
+struct texture_TexelQuad {
+    indices: array<u32, 4>,
+    weights: vec4<f32>,
 }
 
-struct type_65 {
-    member: abi_ShadowParams,
+struct texture_Axis {
+    low: u32,
+    high: u32,
+    fraction: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -162,18 +163,18 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
+@group(0) @binding(0) 
+var<uniform> p: type_37;
+@group(0) @binding(2) 
+var<storage> nodes: type_42;
+@group(0) @binding(3) 
+var<storage> triangles: type_46;
 @group(0) @binding(7) 
 var<storage> alpha_texels: type_13;
-@group(0) @binding(0) 
-var<uniform> p: type_65;
-@group(0) @binding(2) 
-var<storage> nodes: type_57;
-@group(0) @binding(3) 
-var<storage> triangles: type_36;
 @group(0) @binding(5) 
-var<storage> vertices: type_40;
+var<storage> vertices: type_50;
 @group(0) @binding(6) 
-var<storage> materials: type_44;
+var<storage> materials: type_54;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_222_: lt_bvh_traverse_Tree;
@@ -209,397 +210,397 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_275_: f32;
-    var phi_280_: f32;
-    var phi_281_: bool;
-    var phi_282_: f32;
-    var phi_283_: bool;
-    var phi_287_: f32;
-    var phi_313_: f32;
-    var phi_318_: f32;
-    var phi_319_: bool;
-    var phi_320_: f32;
-    var phi_321_: bool;
-    var phi_325_: f32;
-    var phi_333_: f32;
-    var phi_334_: f32;
-    var phi_335_: f32;
-    var phi_344_: f32;
-    var phi_345_: f32;
-    var phi_363_: u32;
-    var phi_377_: u32;
-    var phi_384_: u32;
-    var phi_389_: u32;
-    var phi_395_: u32;
-    var phi_400_: u32;
-    var phi_402_: texture_Axis;
-    var phi_430_: f32;
-    var phi_435_: f32;
-    var phi_436_: bool;
-    var phi_437_: f32;
-    var phi_438_: bool;
-    var phi_442_: f32;
-    var phi_468_: f32;
-    var phi_473_: f32;
-    var phi_474_: bool;
-    var phi_475_: f32;
-    var phi_476_: bool;
-    var phi_480_: f32;
-    var phi_488_: f32;
-    var phi_489_: f32;
-    var phi_490_: f32;
-    var phi_499_: f32;
-    var phi_500_: f32;
-    var phi_518_: u32;
-    var phi_532_: u32;
-    var phi_539_: u32;
-    var phi_544_: u32;
-    var phi_550_: u32;
-    var phi_555_: u32;
-    var phi_557_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_245_: bool;
+    var phi_249_: f32;
 
-    let _e72 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_245_ = true;
+    } else {
+        let _e71 = (param_4 >= param_3);
+        if _e71 {
+        }
+        phi_245_ = _e71;
+    }
+    let _e73 = phi_245_;
+    if _e73 {
+        phi_249_ = param_4;
+    } else {
+        phi_249_ = param_3;
+    }
+    let _e75 = phi_249_;
+    return _e75;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_261_: bool;
+    var phi_265_: f32;
+
+    if (param_5 != param_5) {
+        phi_261_ = true;
+    } else {
+        let _e71 = (param_6 <= param_5);
+        if _e71 {
+        }
+        phi_261_ = _e71;
+    }
+    let _e73 = phi_261_;
+    if _e73 {
+        phi_265_ = param_6;
+    } else {
+        phi_265_ = param_5;
+    }
+    let _e75 = phi_265_;
+    return _e75;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_307_: f32;
+    var phi_312_: f32;
+    var phi_313_: bool;
+    var phi_314_: f32;
+    var phi_315_: bool;
+    var phi_319_: f32;
+    var phi_345_: f32;
+    var phi_350_: f32;
+    var phi_351_: bool;
+    var phi_352_: f32;
+    var phi_353_: bool;
+    var phi_357_: f32;
+    var phi_365_: f32;
+    var phi_366_: f32;
+    var phi_367_: f32;
+    var phi_376_: f32;
+    var phi_377_: f32;
+    var phi_395_: u32;
+    var phi_409_: u32;
+    var phi_416_: u32;
+    var phi_421_: u32;
+    var phi_427_: u32;
+    var phi_432_: u32;
+    var phi_434_: texture_Axis;
+    var phi_462_: f32;
+    var phi_467_: f32;
+    var phi_468_: bool;
+    var phi_469_: f32;
+    var phi_470_: bool;
+    var phi_474_: f32;
+    var phi_500_: f32;
+    var phi_505_: f32;
+    var phi_506_: bool;
+    var phi_507_: f32;
+    var phi_508_: bool;
+    var phi_512_: f32;
+    var phi_520_: f32;
+    var phi_521_: f32;
+    var phi_522_: f32;
+    var phi_531_: f32;
+    var phi_532_: f32;
+    var phi_550_: u32;
+    var phi_564_: u32;
+    var phi_571_: u32;
+    var phi_576_: u32;
+    var phi_582_: u32;
+    var phi_587_: u32;
+    var phi_589_: texture_Axis;
+
+    let _e72 = (*param_7).size;
     let _e73 = (_e72 & 65535u);
-    let _e75 = (*param_3).size;
+    let _e75 = (*param_7).size;
     let _e77 = (_e75 >> bitcast<u32>(16i));
-    let _e79 = (*param_3).flags;
+    let _e79 = (*param_7).flags;
     let _e81 = ((_e79 & 4u) != 0u);
-    let _e83 = (*param_3).flags;
+    let _e83 = (*param_7).flags;
     let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
     if (_e86 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e99 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e99 > param_4) {
-                phi_275_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e99 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e99 > param_8) {
+                phi_307_ = 1f;
             } else {
-                phi_275_ = 0f;
+                phi_307_ = 0f;
             }
-            let _e102 = phi_275_;
-            if (param_4 < 8388608f) {
-                phi_280_ = (_e99 - _e102);
-                phi_281_ = false;
+            let _e102 = phi_307_;
+            if (param_8 < 8388608f) {
+                phi_312_ = (_e99 - _e102);
+                phi_313_ = false;
             } else {
-                phi_280_ = f32();
-                phi_281_ = true;
+                phi_312_ = f32();
+                phi_313_ = true;
             }
-            let _e105 = phi_280_;
-            let _e107 = phi_281_;
-            phi_282_ = _e105;
-            phi_283_ = _e107;
+            let _e105 = phi_312_;
+            let _e107 = phi_313_;
+            phi_314_ = _e105;
+            phi_315_ = _e107;
         } else {
-            phi_282_ = f32();
-            phi_283_ = true;
+            phi_314_ = f32();
+            phi_315_ = true;
         }
-        let _e109 = phi_282_;
-        let _e111 = phi_283_;
+        let _e109 = phi_314_;
+        let _e111 = phi_315_;
         if _e111 {
-            phi_287_ = param_4;
+            phi_319_ = param_8;
         } else {
-            phi_287_ = _e109;
+            phi_319_ = _e109;
         }
-        let _e113 = phi_287_;
-        phi_335_ = (param_4 - _e113);
+        let _e113 = phi_319_;
+        phi_367_ = (param_8 - _e113);
     } else {
         if (_e86 == 1u) {
-            let _e116 = (param_4 * 0.5f);
+            let _e116 = (param_8 * 0.5f);
             if (_e116 > -8388608f) {
                 let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
                 if (_e128 > _e116) {
-                    phi_313_ = 1f;
+                    phi_345_ = 1f;
                 } else {
-                    phi_313_ = 0f;
+                    phi_345_ = 0f;
                 }
-                let _e131 = phi_313_;
+                let _e131 = phi_345_;
                 if (_e116 < 8388608f) {
-                    phi_318_ = (_e128 - _e131);
-                    phi_319_ = false;
+                    phi_350_ = (_e128 - _e131);
+                    phi_351_ = false;
                 } else {
-                    phi_318_ = f32();
-                    phi_319_ = true;
+                    phi_350_ = f32();
+                    phi_351_ = true;
                 }
-                let _e134 = phi_318_;
-                let _e136 = phi_319_;
-                phi_320_ = _e134;
-                phi_321_ = _e136;
+                let _e134 = phi_350_;
+                let _e136 = phi_351_;
+                phi_352_ = _e134;
+                phi_353_ = _e136;
             } else {
-                phi_320_ = f32();
-                phi_321_ = true;
+                phi_352_ = f32();
+                phi_353_ = true;
             }
-            let _e138 = phi_320_;
-            let _e140 = phi_321_;
+            let _e138 = phi_352_;
+            let _e140 = phi_353_;
             if _e140 {
-                phi_325_ = _e116;
+                phi_357_ = _e116;
             } else {
-                phi_325_ = _e138;
+                phi_357_ = _e138;
             }
-            let _e142 = phi_325_;
-            let _e144 = (param_4 - (2f * _e142));
+            let _e142 = phi_357_;
+            let _e144 = (param_8 - (2f * _e142));
             if (_e144 > 1f) {
-                phi_333_ = (2f - _e144);
+                phi_365_ = (2f - _e144);
             } else {
-                phi_333_ = _e144;
+                phi_365_ = _e144;
             }
-            let _e148 = phi_333_;
-            phi_334_ = _e148;
+            let _e148 = phi_365_;
+            phi_366_ = _e148;
         } else {
-            phi_334_ = param_4;
+            phi_366_ = param_8;
         }
-        let _e150 = phi_334_;
-        phi_335_ = _e150;
+        let _e150 = phi_366_;
+        phi_367_ = _e150;
     }
-    let _e152 = phi_335_;
+    let _e152 = phi_367_;
     if (_e152 > 0f) {
         if (_e152 < 1f) {
-            phi_344_ = _e152;
+            phi_376_ = _e152;
         } else {
-            phi_344_ = 1f;
+            phi_376_ = 1f;
         }
-        let _e156 = phi_344_;
-        phi_345_ = _e156;
+        let _e156 = phi_376_;
+        phi_377_ = _e156;
     } else {
-        phi_345_ = 0f;
+        phi_377_ = 0f;
     }
-    let _e158 = phi_345_;
+    let _e158 = phi_377_;
     let _e159 = (_e73 - 1u);
     let _e161 = (_e158 * f32(_e73));
     if _e81 {
         let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
         if (_e159 < _e168) {
-            phi_363_ = _e159;
+            phi_395_ = _e159;
         } else {
-            phi_363_ = _e168;
+            phi_395_ = _e168;
         }
-        let _e171 = phi_363_;
-        phi_402_ = texture_Axis(_e171, _e171, 0f);
+        let _e171 = phi_395_;
+        phi_434_ = texture_Axis(_e171, _e171, 0f);
     } else {
         let _e173 = (_e161 + 0.5f);
         let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
         if (_e73 < _e180) {
-            phi_377_ = _e73;
+            phi_409_ = _e73;
         } else {
-            phi_377_ = _e180;
+            phi_409_ = _e180;
         }
-        let _e183 = phi_377_;
+        let _e183 = phi_409_;
         if (_e86 == 0u) {
-            phi_384_ = _e159;
+            phi_416_ = _e159;
         } else {
-            phi_384_ = 0u;
+            phi_416_ = 0u;
         }
-        let _e188 = phi_384_;
+        let _e188 = phi_416_;
         if (_e86 == 0u) {
-            phi_389_ = 0u;
+            phi_421_ = 0u;
         } else {
-            phi_389_ = _e159;
+            phi_421_ = _e159;
         }
-        let _e191 = phi_389_;
+        let _e191 = phi_421_;
         if (_e183 == 0u) {
-            phi_395_ = _e188;
+            phi_427_ = _e188;
         } else {
-            phi_395_ = (_e183 - 1u);
+            phi_427_ = (_e183 - 1u);
         }
-        let _e195 = phi_395_;
+        let _e195 = phi_427_;
         if (_e183 > _e159) {
-            phi_400_ = _e191;
+            phi_432_ = _e191;
         } else {
-            phi_400_ = _e183;
+            phi_432_ = _e183;
         }
-        let _e198 = phi_400_;
-        phi_402_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+        let _e198 = phi_432_;
+        phi_434_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e201 = phi_402_;
-    let _e203 = (*param_3).flags;
+    let _e201 = phi_434_;
+    let _e203 = (*param_7).flags;
     let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
     if (_e206 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e219 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e219 > param_5) {
-                phi_430_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e219 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e219 > param_9) {
+                phi_462_ = 1f;
             } else {
-                phi_430_ = 0f;
+                phi_462_ = 0f;
             }
-            let _e222 = phi_430_;
-            if (param_5 < 8388608f) {
-                phi_435_ = (_e219 - _e222);
-                phi_436_ = false;
+            let _e222 = phi_462_;
+            if (param_9 < 8388608f) {
+                phi_467_ = (_e219 - _e222);
+                phi_468_ = false;
             } else {
-                phi_435_ = f32();
-                phi_436_ = true;
+                phi_467_ = f32();
+                phi_468_ = true;
             }
-            let _e225 = phi_435_;
-            let _e227 = phi_436_;
-            phi_437_ = _e225;
-            phi_438_ = _e227;
+            let _e225 = phi_467_;
+            let _e227 = phi_468_;
+            phi_469_ = _e225;
+            phi_470_ = _e227;
         } else {
-            phi_437_ = f32();
-            phi_438_ = true;
+            phi_469_ = f32();
+            phi_470_ = true;
         }
-        let _e229 = phi_437_;
-        let _e231 = phi_438_;
+        let _e229 = phi_469_;
+        let _e231 = phi_470_;
         if _e231 {
-            phi_442_ = param_5;
+            phi_474_ = param_9;
         } else {
-            phi_442_ = _e229;
+            phi_474_ = _e229;
         }
-        let _e233 = phi_442_;
-        phi_490_ = (param_5 - _e233);
+        let _e233 = phi_474_;
+        phi_522_ = (param_9 - _e233);
     } else {
         if (_e206 == 1u) {
-            let _e236 = (param_5 * 0.5f);
+            let _e236 = (param_9 * 0.5f);
             if (_e236 > -8388608f) {
                 let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
                 if (_e248 > _e236) {
-                    phi_468_ = 1f;
+                    phi_500_ = 1f;
                 } else {
-                    phi_468_ = 0f;
+                    phi_500_ = 0f;
                 }
-                let _e251 = phi_468_;
+                let _e251 = phi_500_;
                 if (_e236 < 8388608f) {
-                    phi_473_ = (_e248 - _e251);
-                    phi_474_ = false;
+                    phi_505_ = (_e248 - _e251);
+                    phi_506_ = false;
                 } else {
-                    phi_473_ = f32();
-                    phi_474_ = true;
+                    phi_505_ = f32();
+                    phi_506_ = true;
                 }
-                let _e254 = phi_473_;
-                let _e256 = phi_474_;
-                phi_475_ = _e254;
-                phi_476_ = _e256;
+                let _e254 = phi_505_;
+                let _e256 = phi_506_;
+                phi_507_ = _e254;
+                phi_508_ = _e256;
             } else {
-                phi_475_ = f32();
-                phi_476_ = true;
+                phi_507_ = f32();
+                phi_508_ = true;
             }
-            let _e258 = phi_475_;
-            let _e260 = phi_476_;
+            let _e258 = phi_507_;
+            let _e260 = phi_508_;
             if _e260 {
-                phi_480_ = _e236;
+                phi_512_ = _e236;
             } else {
-                phi_480_ = _e258;
+                phi_512_ = _e258;
             }
-            let _e262 = phi_480_;
-            let _e264 = (param_5 - (2f * _e262));
+            let _e262 = phi_512_;
+            let _e264 = (param_9 - (2f * _e262));
             if (_e264 > 1f) {
-                phi_488_ = (2f - _e264);
+                phi_520_ = (2f - _e264);
             } else {
-                phi_488_ = _e264;
+                phi_520_ = _e264;
             }
-            let _e268 = phi_488_;
-            phi_489_ = _e268;
+            let _e268 = phi_520_;
+            phi_521_ = _e268;
         } else {
-            phi_489_ = param_5;
+            phi_521_ = param_9;
         }
-        let _e270 = phi_489_;
-        phi_490_ = _e270;
+        let _e270 = phi_521_;
+        phi_522_ = _e270;
     }
-    let _e272 = phi_490_;
+    let _e272 = phi_522_;
     if (_e272 > 0f) {
         if (_e272 < 1f) {
-            phi_499_ = _e272;
+            phi_531_ = _e272;
         } else {
-            phi_499_ = 1f;
+            phi_531_ = 1f;
         }
-        let _e276 = phi_499_;
-        phi_500_ = _e276;
+        let _e276 = phi_531_;
+        phi_532_ = _e276;
     } else {
-        phi_500_ = 0f;
+        phi_532_ = 0f;
     }
-    let _e278 = phi_500_;
+    let _e278 = phi_532_;
     let _e279 = (_e77 - 1u);
     let _e281 = (_e278 * f32(_e77));
     if _e81 {
         let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
         if (_e279 < _e288) {
-            phi_518_ = _e279;
+            phi_550_ = _e279;
         } else {
-            phi_518_ = _e288;
+            phi_550_ = _e288;
         }
-        let _e291 = phi_518_;
-        phi_557_ = texture_Axis(_e291, _e291, 0f);
+        let _e291 = phi_550_;
+        phi_589_ = texture_Axis(_e291, _e291, 0f);
     } else {
         let _e293 = (_e281 + 0.5f);
         let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
         if (_e77 < _e300) {
-            phi_532_ = _e77;
+            phi_564_ = _e77;
         } else {
-            phi_532_ = _e300;
+            phi_564_ = _e300;
         }
-        let _e303 = phi_532_;
+        let _e303 = phi_564_;
         if (_e206 == 0u) {
-            phi_539_ = _e279;
+            phi_571_ = _e279;
         } else {
-            phi_539_ = 0u;
+            phi_571_ = 0u;
         }
-        let _e308 = phi_539_;
+        let _e308 = phi_571_;
         if (_e206 == 0u) {
-            phi_544_ = 0u;
+            phi_576_ = 0u;
         } else {
-            phi_544_ = _e279;
+            phi_576_ = _e279;
         }
-        let _e311 = phi_544_;
+        let _e311 = phi_576_;
         if (_e303 == 0u) {
-            phi_550_ = _e308;
+            phi_582_ = _e308;
         } else {
-            phi_550_ = (_e303 - 1u);
+            phi_582_ = (_e303 - 1u);
         }
-        let _e315 = phi_550_;
+        let _e315 = phi_582_;
         if (_e303 > _e279) {
-            phi_555_ = _e311;
+            phi_587_ = _e311;
         } else {
-            phi_555_ = _e303;
+            phi_587_ = _e303;
         }
-        let _e318 = phi_555_;
-        phi_557_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+        let _e318 = phi_587_;
+        phi_589_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e321 = phi_557_;
-    let _e325 = (*param_3).offset;
-    let _e332 = (*param_3).offset;
-    let _e339 = (*param_3).offset;
-    let _e346 = (*param_3).offset;
+    let _e321 = phi_589_;
+    let _e325 = (*param_7).offset;
+    let _e332 = (*param_7).offset;
+    let _e339 = (*param_7).offset;
+    let _e346 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_6: f32, param_7: f32) -> f32 {
-    var phi_616_: bool;
-    var phi_620_: f32;
-
-    if (param_6 != param_6) {
-        phi_616_ = true;
-    } else {
-        let _e71 = (param_7 >= param_6);
-        if _e71 {
-        }
-        phi_616_ = _e71;
-    }
-    let _e73 = phi_616_;
-    if _e73 {
-        phi_620_ = param_7;
-    } else {
-        phi_620_ = param_6;
-    }
-    let _e75 = phi_620_;
-    return _e75;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_632_: bool;
-    var phi_636_: f32;
-
-    if (param_8 != param_8) {
-        phi_632_ = true;
-    } else {
-        let _e71 = (param_9 <= param_8);
-        if _e71 {
-        }
-        phi_632_ = _e71;
-    }
-    let _e73 = phi_632_;
-    if _e73 {
-        phi_636_ = param_9;
-    } else {
-        phi_636_ = param_8;
-    }
-    let _e75 = phi_636_;
-    return _e75;
 }
 
 fn _lt_shaders_abi_Sample_is_valid(param_10: ptr<function, abi_Sample>) -> bool {
@@ -700,117 +701,115 @@ fn function_() {
     var phi_1266_: bool;
     var phi_1297_: u32;
     var phi_1299_: u32;
-    var phi_1380_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1407_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1434_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1440_: u32;
-    var phi_1443_: u32;
-    var phi_1457_: u32;
-    var phi_1467_: u32;
-    var phi_1477_: u32;
-    var phi_1495_: u32;
-    var phi_1505_: u32;
-    var phi_1515_: u32;
-    var phi_1551_: u32;
-    var phi_1564_: u32;
-    var phi_1569_: u32;
-    var phi_1570_: u32;
+    var phi_1302_: bool;
+    var phi_1382_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1409_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1436_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1442_: u32;
+    var phi_1445_: u32;
+    var phi_1459_: u32;
+    var phi_1469_: u32;
+    var phi_1479_: u32;
+    var phi_1497_: u32;
+    var phi_1507_: u32;
+    var phi_1517_: u32;
+    var phi_1553_: u32;
+    var phi_1566_: u32;
     var phi_1571_: u32;
-    var phi_1441_: u32;
-    var phi_1444_: u32;
+    var phi_1572_: u32;
+    var phi_1573_: u32;
+    var phi_1443_: u32;
+    var phi_1446_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1629_: u32;
-    var phi_1674_: vec3<f32>;
-    var phi_1675_: vec3<f32>;
-    var phi_1704_: vec3<f32>;
-    var phi_1705_: vec3<f32>;
-    var phi_1734_: vec3<f32>;
-    var phi_1735_: vec3<f32>;
-    var phi_1753_: bool;
-    var phi_1754_: bool;
-    var phi_1758_: f32;
-    var phi_1759_: f32;
-    var phi_1760_: f32;
-    var phi_1761_: f32;
-    var phi_1769_: f32;
-    var phi_1779_: bool;
-    var phi_1780_: bool;
-    var phi_1784_: f32;
-    var phi_1785_: f32;
-    var phi_1786_: f32;
-    var phi_1787_: f32;
-    var phi_1795_: f32;
-    var phi_1805_: bool;
-    var phi_1806_: bool;
-    var phi_1810_: f32;
-    var phi_1811_: f32;
-    var phi_1812_: f32;
-    var phi_1813_: f32;
-    var phi_1821_: f32;
-    var phi_1836_: f32;
-    var phi_1837_: bool;
-    var phi_1838_: f32;
-    var phi_1839_: bool;
+    var phi_1631_: u32;
+    var phi_1634_: bool;
+    var phi_1678_: vec3<f32>;
+    var phi_1679_: vec3<f32>;
+    var phi_1708_: vec3<f32>;
+    var phi_1709_: vec3<f32>;
+    var phi_1738_: vec3<f32>;
+    var phi_1739_: vec3<f32>;
+    var phi_1757_: bool;
+    var phi_1758_: bool;
+    var phi_1762_: f32;
+    var phi_1763_: f32;
+    var phi_1764_: f32;
+    var phi_1765_: f32;
+    var phi_1773_: f32;
+    var phi_1783_: bool;
+    var phi_1784_: bool;
+    var phi_1788_: f32;
+    var phi_1789_: f32;
+    var phi_1790_: f32;
+    var phi_1791_: f32;
+    var phi_1799_: f32;
+    var phi_1809_: bool;
+    var phi_1810_: bool;
+    var phi_1814_: f32;
+    var phi_1815_: f32;
+    var phi_1816_: f32;
+    var phi_1817_: f32;
+    var phi_1825_: f32;
     var phi_1840_: f32;
     var phi_1841_: bool;
-    var phi_1859_: f32;
-    var phi_1860_: bool;
-    var phi_1861_: bool;
-    var phi_1862_: f32;
-    var phi_1863_: bool;
+    var phi_1842_: f32;
+    var phi_1843_: bool;
+    var phi_1844_: f32;
+    var phi_1845_: bool;
+    var phi_1863_: f32;
     var phi_1864_: bool;
+    var phi_1865_: bool;
+    var phi_1866_: f32;
+    var phi_1867_: bool;
     var phi_1868_: bool;
-    var phi_1869_: f32;
-    var phi_1870_: bool;
-    var phi_1898_: vec3<f32>;
-    var phi_1899_: vec3<f32>;
-    var phi_1924_: vec3<f32>;
-    var phi_1925_: vec3<f32>;
-    var phi_1950_: vec3<f32>;
-    var phi_1951_: vec3<f32>;
-    var phi_2007_: f32;
-    var phi_2016_: f32;
-    var phi_2025_: f32;
-    var phi_2034_: f32;
-    var phi_2041_: f32;
-    var phi_2048_: f32;
-    var phi_2061_: f32;
-    var phi_2070_: f32;
-    var phi_2079_: f32;
-    var phi_2088_: f32;
-    var phi_2095_: f32;
-    var phi_2102_: f32;
-    var phi_2119_: f32;
-    var phi_2124_: f32;
-    var phi_2129_: f32;
-    var phi_2137_: f32;
-    var phi_2142_: f32;
-    var phi_2147_: f32;
-    var phi_2159_: f32;
-    var phi_2164_: f32;
-    var phi_2169_: f32;
-    var phi_2174_: f32;
-    var phi_2179_: lt_bvh_triangle_Intersection;
-    var phi_2180_: bool;
-    var phi_2181_: lt_bvh_triangle_Intersection;
-    var phi_2182_: bool;
-    var phi_2186_: lt_bvh_triangle_Intersection;
-    var phi_2187_: bool;
-    var phi_2188_: lt_bvh_triangle_Intersection;
-    var phi_2189_: bool;
-    var phi_2190_: bool;
+    var phi_1872_: bool;
+    var phi_1873_: f32;
+    var phi_1874_: bool;
+    var phi_1902_: vec3<f32>;
+    var phi_1903_: vec3<f32>;
+    var phi_1928_: vec3<f32>;
+    var phi_1929_: vec3<f32>;
+    var phi_1954_: vec3<f32>;
+    var phi_1955_: vec3<f32>;
+    var phi_2011_: f32;
+    var phi_2020_: f32;
+    var phi_2029_: f32;
+    var phi_2038_: f32;
+    var phi_2045_: f32;
+    var phi_2052_: f32;
+    var phi_2065_: f32;
+    var phi_2074_: f32;
+    var phi_2083_: f32;
+    var phi_2092_: f32;
+    var phi_2099_: f32;
+    var phi_2106_: f32;
+    var phi_2123_: f32;
+    var phi_2128_: f32;
+    var phi_2133_: f32;
+    var phi_2141_: f32;
+    var phi_2146_: f32;
+    var phi_2151_: f32;
+    var phi_2163_: f32;
+    var phi_2168_: f32;
+    var phi_2173_: f32;
+    var phi_2178_: f32;
+    var phi_2183_: lt_bvh_triangle_Intersection;
+    var phi_2184_: bool;
+    var phi_2185_: lt_bvh_triangle_Intersection;
+    var phi_2186_: bool;
+    var phi_2190_: lt_bvh_triangle_Intersection;
+    var phi_2191_: bool;
+    var phi_2192_: lt_bvh_triangle_Intersection;
+    var phi_2193_: bool;
     var phi_2194_: bool;
-    var phi_2198_: lt_bvh_triangle_Intersection;
-    var phi_2412_: f32;
-    var phi_2415_: bool;
-    var phi_2416_: bool;
+    var phi_2198_: bool;
+    var phi_2202_: lt_bvh_triangle_Intersection;
+    var phi_2416_: f32;
+    var phi_2419_: bool;
     var phi_2420_: bool;
     var phi_2421_: bool;
-    var phi_2422_: bool;
-    var phi_2423_: bool;
-    var phi_2424_: bool;
     var phi_2425_: bool;
     var phi_2426_: bool;
     var phi_2427_: bool;
@@ -818,10 +817,11 @@ fn function_() {
     var phi_2429_: bool;
     var phi_2430_: bool;
     var phi_2431_: bool;
-    var phi_2435_: bool;
-    var phi_2436_: bool;
-    var phi_1630_: u32;
-    var phi_2437_: bool;
+    var phi_2432_: bool;
+    var phi_2433_: bool;
+    var phi_2434_: bool;
+    var phi_1632_: u32;
+    var phi_1635_: bool;
     var phi_2438_: bool;
     var phi_2439_: bool;
     var local_6: bool;
@@ -829,24 +829,20 @@ fn function_() {
     var phi_2482_: bool;
     var phi_2513_: u32;
     var phi_2514_: u32;
+    var phi_1300_: u32;
+    var phi_1303_: bool;
     var phi_2515_: bool;
     var phi_2516_: bool;
-    var phi_1300_: u32;
     var phi_2517_: bool;
-    var phi_2518_: bool;
-    var phi_2519_: bool;
-    var phi_2520_: bool;
     var local_7: bool;
-    var phi_2524_: bool;
+    var phi_2521_: bool;
     var phi_2525_: bool;
-    var phi_2529_: bool;
-    var phi_2533_: bool;
-    var phi_2534_: bool;
-    var phi_2535_: bool;
-    var phi_2536_: bool;
-    var phi_2540_: bool;
-    var phi_2544_: f32;
-    var phi_2545_: f32;
+    var phi_2526_: bool;
+    var phi_2527_: bool;
+    var phi_2528_: bool;
+    var phi_2532_: bool;
+    var phi_2536_: f32;
+    var phi_2537_: f32;
     var local_8: bool;
     var local_9: bool;
     var local_10: bool;
@@ -931,7 +927,7 @@ fn function_() {
         }
         let _e239 = phi_813_;
         if _e239.unnamed_1 {
-            phi_2545_ = _e239.unnamed.visibility;
+            phi_2537_ = _e239.unnamed.visibility;
         } else {
             let _e245 = local_2.position;
             let _e247 = local_2.normal;
@@ -1059,7 +1055,7 @@ fn function_() {
             if _e341 {
                 let _e342 = (0u >= _e78);
                 if _e342 {
-                    phi_2534_ = bool();
+                    phi_2526_ = bool();
                 } else {
                     if (0u < _e78) {
                     } else {
@@ -1250,990 +1246,970 @@ fn function_() {
                     }
                     let _e652 = phi_1297_;
                     phi_1299_ = _e652;
+                    phi_1302_ = false;
                     loop {
                         let _e654 = phi_1299_;
+                        let _e656 = phi_1302_;
+                        local_12 = _e656;
                         if (_e654 != 4294967295u) {
                             if (_e654 < _e78) {
                             } else {
                                 return;
                             }
-                            let _e661 = nodes.member[(0u + _e654)].frame[3u];
-                            let _e686 = (bitcast<f32>((((_e661 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e418);
-                            let _e687 = (bitcast<f32>((((_e661 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e428);
-                            let _e688 = (bitcast<f32>((((_e661 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e438);
-                            let _e691 = nodes.member[(0u + _e654)].frame[0u];
-                            let _e695 = nodes.member[(0u + _e654)].frame[1u];
-                            let _e699 = nodes.member[(0u + _e654)].frame[2u];
-                            let _e704 = ((bitcast<f32>(_e691) - _e259) * _e418);
-                            let _e705 = ((bitcast<f32>(_e695) - _e261) * _e428);
-                            let _e706 = ((bitcast<f32>(_e699) - _e263) * _e438);
-                            let _e714 = nodes.member[(0u + _e654)].x;
+                            let _e663 = nodes.member[(0u + _e654)].frame[3u];
+                            let _e688 = (bitcast<f32>((((_e663 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e418);
+                            let _e689 = (bitcast<f32>((((_e663 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e428);
+                            let _e690 = (bitcast<f32>((((_e663 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e438);
+                            let _e693 = nodes.member[(0u + _e654)].frame[0u];
+                            let _e697 = nodes.member[(0u + _e654)].frame[1u];
+                            let _e701 = nodes.member[(0u + _e654)].frame[2u];
+                            let _e706 = ((bitcast<f32>(_e693) - _e259) * _e418);
+                            let _e707 = ((bitcast<f32>(_e697) - _e261) * _e428);
+                            let _e708 = ((bitcast<f32>(_e701) - _e263) * _e438);
+                            let _e716 = nodes.member[(0u + _e654)].x;
                             if (_e418 < 0f) {
-                                let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e714.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e725.unnamed.root, _e714.w), _e725.unnamed_1);
-                                let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_bvh_traverse_Tree(_e714.x, _e731.unnamed_1.first_primitive));
-                                phi_1380_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e737.unnamed_1.root, _e714.y));
+                                let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e716.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e727.unnamed.root, _e716.w), _e727.unnamed_1);
+                                let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_bvh_traverse_Tree(_e716.x, _e733.unnamed_1.first_primitive));
+                                phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e739.unnamed_1.root, _e716.y));
                             } else {
-                                let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e714.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e753.unnamed.root, _e714.y), _e753.unnamed_1);
-                                let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e759.unnamed, lt_bvh_traverse_Tree(_e714.z, _e759.unnamed_1.first_primitive));
-                                phi_1380_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_bvh_traverse_Tree(_e765.unnamed_1.root, _e714.w));
+                                let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e716.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e755.unnamed.root, _e716.y), _e755.unnamed_1);
+                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_bvh_traverse_Tree(_e716.z, _e761.unnamed_1.first_primitive));
+                                phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_bvh_traverse_Tree(_e767.unnamed_1.root, _e716.w));
                             }
-                            let _e773 = phi_1380_;
-                            let _e783 = nodes.member[(0u + _e654)].y;
+                            let _e775 = phi_1382_;
+                            let _e785 = nodes.member[(0u + _e654)].y;
                             if (_e428 < 0f) {
-                                let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e783.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e794.unnamed.root, _e783.w), _e794.unnamed_1);
-                                let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e800.unnamed, lt_bvh_traverse_Tree(_e783.x, _e800.unnamed_1.first_primitive));
-                                phi_1407_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e806.unnamed, lt_bvh_traverse_Tree(_e806.unnamed_1.root, _e783.y));
+                                let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e785.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e796.unnamed.root, _e785.w), _e796.unnamed_1);
+                                let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_bvh_traverse_Tree(_e785.x, _e802.unnamed_1.first_primitive));
+                                phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e808.unnamed, lt_bvh_traverse_Tree(_e808.unnamed_1.root, _e785.y));
                             } else {
-                                let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e783.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e828 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e822.unnamed.root, _e783.y), _e822.unnamed_1);
-                                let _e834 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e828.unnamed, lt_bvh_traverse_Tree(_e783.z, _e828.unnamed_1.first_primitive));
-                                phi_1407_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e834.unnamed, lt_bvh_traverse_Tree(_e834.unnamed_1.root, _e783.w));
+                                let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e785.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e824.unnamed.root, _e785.y), _e824.unnamed_1);
+                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_bvh_traverse_Tree(_e785.z, _e830.unnamed_1.first_primitive));
+                                phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e836.unnamed, lt_bvh_traverse_Tree(_e836.unnamed_1.root, _e785.w));
                             }
-                            let _e842 = phi_1407_;
-                            let _e852 = nodes.member[(0u + _e654)].z;
+                            let _e844 = phi_1409_;
+                            let _e854 = nodes.member[(0u + _e654)].z;
                             if (_e438 < 0f) {
-                                let _e863 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e852.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e869 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e863.unnamed.root, _e852.w), _e863.unnamed_1);
-                                let _e875 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e869.unnamed, lt_bvh_traverse_Tree(_e852.x, _e869.unnamed_1.first_primitive));
-                                phi_1434_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e875.unnamed, lt_bvh_traverse_Tree(_e875.unnamed_1.root, _e852.y));
+                                let _e865 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e854.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e871 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e865.unnamed.root, _e854.w), _e865.unnamed_1);
+                                let _e877 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e871.unnamed, lt_bvh_traverse_Tree(_e854.x, _e871.unnamed_1.first_primitive));
+                                phi_1436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e877.unnamed, lt_bvh_traverse_Tree(_e877.unnamed_1.root, _e854.y));
                             } else {
-                                let _e891 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e852.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e897 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e891.unnamed.root, _e852.y), _e891.unnamed_1);
-                                let _e903 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e897.unnamed, lt_bvh_traverse_Tree(_e852.z, _e897.unnamed_1.first_primitive));
-                                phi_1434_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e903.unnamed, lt_bvh_traverse_Tree(_e903.unnamed_1.root, _e852.w));
+                                let _e893 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e854.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e899 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e893.unnamed.root, _e854.y), _e893.unnamed_1);
+                                let _e905 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e899.unnamed, lt_bvh_traverse_Tree(_e854.z, _e899.unnamed_1.first_primitive));
+                                phi_1436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e905.unnamed, lt_bvh_traverse_Tree(_e905.unnamed_1.root, _e854.w));
                             }
-                            let _e911 = phi_1434_;
-                            phi_1440_ = 0u;
-                            phi_1443_ = 0u;
+                            let _e913 = phi_1436_;
+                            phi_1442_ = 0u;
+                            phi_1445_ = 0u;
                             loop {
-                                let _e921 = phi_1440_;
-                                let _e923 = phi_1443_;
-                                local_3 = _e923;
-                                local_4 = _e923;
-                                local_5 = _e923;
-                                let _e924 = (_e921 < 8u);
-                                if _e924 {
-                                    let _e926 = (_e921 >> bitcast<u32>(2i));
-                                    let _e927 = (_e921 & 3u);
-                                    if (_e926 == 0u) {
-                                        phi_1457_ = _e773.unnamed.root;
+                                let _e923 = phi_1442_;
+                                let _e925 = phi_1445_;
+                                local_3 = _e925;
+                                local_4 = _e925;
+                                local_5 = _e925;
+                                let _e926 = (_e923 < 8u);
+                                if _e926 {
+                                    let _e928 = (_e923 >> bitcast<u32>(2i));
+                                    let _e929 = (_e923 & 3u);
+                                    if (_e928 == 0u) {
+                                        phi_1459_ = _e775.unnamed.root;
                                     } else {
-                                        phi_1457_ = _e773.unnamed.first_primitive;
+                                        phi_1459_ = _e775.unnamed.first_primitive;
                                     }
-                                    let _e930 = phi_1457_;
-                                    if (_e926 == 0u) {
-                                        phi_1467_ = _e842.unnamed.root;
+                                    let _e932 = phi_1459_;
+                                    if (_e928 == 0u) {
+                                        phi_1469_ = _e844.unnamed.root;
                                     } else {
-                                        phi_1467_ = _e842.unnamed.first_primitive;
+                                        phi_1469_ = _e844.unnamed.first_primitive;
                                     }
-                                    let _e939 = phi_1467_;
-                                    if (_e926 == 0u) {
-                                        phi_1477_ = _e911.unnamed.root;
+                                    let _e941 = phi_1469_;
+                                    if (_e928 == 0u) {
+                                        phi_1479_ = _e913.unnamed.root;
                                     } else {
-                                        phi_1477_ = _e911.unnamed.first_primitive;
+                                        phi_1479_ = _e913.unnamed.first_primitive;
                                     }
-                                    let _e948 = phi_1477_;
-                                    let _e961 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e930 >> bitcast<u32>(((_e927 * 8u) & 31u))) & 255u)) * _e686) + (_e704 - _e466)), ((f32(((_e939 >> bitcast<u32>(((_e927 * 8u) & 31u))) & 255u)) * _e687) + (_e705 - _e467)));
-                                    let _e962 = core_intrinsics_maximum_number_nsz_f32_(_e961, ((f32(((_e948 >> bitcast<u32>(((_e927 * 8u) & 31u))) & 255u)) * _e688) + (_e706 - _e468)));
-                                    if (_e926 == 0u) {
-                                        phi_1495_ = _e773.unnamed_1.root;
+                                    let _e950 = phi_1479_;
+                                    let _e963 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e932 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e688) + (_e706 - _e466)), ((f32(((_e941 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e689) + (_e707 - _e467)));
+                                    let _e964 = core_intrinsics_maximum_number_nsz_f32_(_e963, ((f32(((_e950 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e690) + (_e708 - _e468)));
+                                    if (_e928 == 0u) {
+                                        phi_1497_ = _e775.unnamed_1.root;
                                     } else {
-                                        phi_1495_ = _e773.unnamed_1.first_primitive;
+                                        phi_1497_ = _e775.unnamed_1.first_primitive;
                                     }
-                                    let _e965 = phi_1495_;
-                                    if (_e926 == 0u) {
-                                        phi_1505_ = _e842.unnamed_1.root;
+                                    let _e967 = phi_1497_;
+                                    if (_e928 == 0u) {
+                                        phi_1507_ = _e844.unnamed_1.root;
                                     } else {
-                                        phi_1505_ = _e842.unnamed_1.first_primitive;
+                                        phi_1507_ = _e844.unnamed_1.first_primitive;
                                     }
-                                    let _e974 = phi_1505_;
-                                    if (_e926 == 0u) {
-                                        phi_1515_ = _e911.unnamed_1.root;
+                                    let _e976 = phi_1507_;
+                                    if (_e928 == 0u) {
+                                        phi_1517_ = _e913.unnamed_1.root;
                                     } else {
-                                        phi_1515_ = _e911.unnamed_1.first_primitive;
+                                        phi_1517_ = _e913.unnamed_1.first_primitive;
                                     }
-                                    let _e983 = phi_1515_;
-                                    let _e996 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e965 >> bitcast<u32>(((_e927 * 8u) & 31u))) & 255u)) * _e686) + (_e704 + _e466)), ((f32(((_e974 >> bitcast<u32>(((_e927 * 8u) & 31u))) & 255u)) * _e687) + (_e705 + _e467)));
-                                    let _e997 = core_intrinsics_minimum_number_nsz_f32_(_e996, ((f32(((_e983 >> bitcast<u32>(((_e927 * 8u) & 31u))) & 255u)) * _e688) + (_e706 + _e468)));
-                                    if (_e962 <= _e997) {
-                                        if (_e962 <= _e269) {
-                                            if (_e997 >= 0f) {
-                                                if (_e926 == 0u) {
-                                                    let _e1004 = nodes.member[(0u + _e654)].links[2u];
-                                                    phi_1551_ = _e1004;
+                                    let _e985 = phi_1517_;
+                                    let _e998 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e967 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e688) + (_e706 + _e466)), ((f32(((_e976 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e689) + (_e707 + _e467)));
+                                    let _e999 = core_intrinsics_minimum_number_nsz_f32_(_e998, ((f32(((_e985 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e690) + (_e708 + _e468)));
+                                    if (_e964 <= _e999) {
+                                        if (_e964 <= _e269) {
+                                            if (_e999 >= 0f) {
+                                                if (_e928 == 0u) {
+                                                    let _e1006 = nodes.member[(0u + _e654)].links[2u];
+                                                    phi_1553_ = _e1006;
                                                 } else {
-                                                    let _e1007 = nodes.member[(0u + _e654)].links[3u];
-                                                    phi_1551_ = _e1007;
+                                                    let _e1009 = nodes.member[(0u + _e654)].links[3u];
+                                                    phi_1553_ = _e1009;
                                                 }
-                                                let _e1009 = phi_1551_;
-                                                let _e1014 = ((_e1009 >> bitcast<u32>(((_e927 * 8u) & 31u))) & 255u);
-                                                let _e1015 = (_e1014 & 31u);
-                                                if (_e1015 >= 24u) {
-                                                    phi_1564_ = (24u + ((_e1015 - 24u) ^ _e516));
+                                                let _e1011 = phi_1553_;
+                                                let _e1016 = ((_e1011 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u);
+                                                let _e1017 = (_e1016 & 31u);
+                                                if (_e1017 >= 24u) {
+                                                    phi_1566_ = (24u + ((_e1017 - 24u) ^ _e516));
                                                 } else {
-                                                    phi_1564_ = _e1015;
+                                                    phi_1566_ = _e1017;
                                                 }
-                                                let _e1021 = phi_1564_;
-                                                phi_1569_ = (_e923 | ((_e1014 >> bitcast<u32>(5i)) << bitcast<u32>((_e1021 & 31u))));
+                                                let _e1023 = phi_1566_;
+                                                phi_1571_ = (_e925 | ((_e1016 >> bitcast<u32>(5i)) << bitcast<u32>((_e1023 & 31u))));
                                             } else {
-                                                phi_1569_ = _e923;
+                                                phi_1571_ = _e925;
                                             }
-                                            let _e1029 = phi_1569_;
-                                            phi_1570_ = _e1029;
+                                            let _e1031 = phi_1571_;
+                                            phi_1572_ = _e1031;
                                         } else {
-                                            phi_1570_ = _e923;
+                                            phi_1572_ = _e925;
                                         }
-                                        let _e1031 = phi_1570_;
-                                        phi_1571_ = _e1031;
+                                        let _e1033 = phi_1572_;
+                                        phi_1573_ = _e1033;
                                     } else {
-                                        phi_1571_ = _e923;
+                                        phi_1573_ = _e925;
                                     }
-                                    let _e1033 = phi_1571_;
-                                    phi_1441_ = (_e921 + 1u);
-                                    phi_1444_ = _e1033;
+                                    let _e1035 = phi_1573_;
+                                    phi_1443_ = (_e923 + 1u);
+                                    phi_1446_ = _e1035;
                                 } else {
-                                    phi_1441_ = u32();
-                                    phi_1444_ = u32();
+                                    phi_1443_ = u32();
+                                    phi_1446_ = u32();
                                 }
-                                let _e1036 = phi_1441_;
-                                let _e1038 = phi_1444_;
+                                let _e1038 = phi_1443_;
+                                let _e1040 = phi_1446_;
                                 continue;
                                 continuing {
-                                    phi_1440_ = _e1036;
-                                    phi_1443_ = _e1038;
-                                    break if !(_e924);
+                                    phi_1442_ = _e1038;
+                                    phi_1445_ = _e1040;
+                                    break if !(_e926);
                                 }
                             }
-                            let _e1042 = nodes.member[(0u + _e654)].links[0u];
-                            let _e1046 = nodes.member[(0u + _e654)].frame[3u];
-                            let _e1050 = local_3;
-                            if ((_e1050 & 4278190080u) == 0u) {
+                            let _e1044 = nodes.member[(0u + _e654)].links[0u];
+                            let _e1048 = nodes.member[(0u + _e654)].frame[3u];
+                            let _e1052 = local_3;
+                            if ((_e1052 & 4278190080u) == 0u) {
                             } else {
-                                let _e1054 = local_1.group_mask;
-                                if ((_e1054 & 4278190080u) == 0u) {
+                                let _e1056 = local_1.group_mask;
+                                if ((_e1056 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e1058 = local_1.len;
-                                    if (_e1058 < 32u) {
-                                        let _e1061 = local_1.group;
-                                        let _e1063 = local_1.len;
-                                        if (_e1063 < 32u) {
+                                    let _e1060 = local_1.len;
+                                    if (_e1060 < 32u) {
+                                        let _e1063 = local_1.group;
+                                        let _e1065 = local_1.len;
+                                        if (_e1065 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.first[(0u + _e1063)] = _e1061;
-                                        let _e1069 = local_1.group_mask;
-                                        let _e1071 = local_1.len;
-                                        if (_e1071 < 32u) {
+                                        local_1.first[(0u + _e1065)] = _e1063;
+                                        let _e1071 = local_1.group_mask;
+                                        let _e1073 = local_1.len;
+                                        if (_e1073 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.mask[(0u + _e1071)] = _e1069;
-                                        let _e1078 = local_1.len;
-                                        local_1.len = (_e1078 + 1u);
+                                        local_1.mask[(0u + _e1073)] = _e1071;
+                                        let _e1080 = local_1.len;
+                                        local_1.len = (_e1080 + 1u);
                                     }
                                 }
-                                local_1.group = (0u + _e1042);
-                                let _e1082 = local_4;
-                                local_1.group_mask = ((_e1082 & 4278190080u) | (_e1046 >> bitcast<u32>(24i)));
+                                local_1.group = (0u + _e1044);
+                                let _e1084 = local_4;
+                                local_1.group_mask = ((_e1084 & 4278190080u) | (_e1048 >> bitcast<u32>(24i)));
                             }
-                            let _e1087 = local_5;
-                            phi_1629_ = (_e1087 & 16777215u);
+                            let _e1089 = local_5;
+                            phi_1631_ = (_e1089 & 16777215u);
+                            phi_1634_ = _e656;
                             loop {
-                                let _e1090 = phi_1629_;
-                                let _e1091 = (_e1090 == 0u);
-                                local_6 = _e1091;
-                                local_10 = _e1091;
-                                if _e1091 {
-                                    phi_1630_ = u32();
-                                    phi_2437_ = false;
-                                    phi_2438_ = false;
+                                let _e1092 = phi_1631_;
+                                let _e1094 = phi_1634_;
+                                local_8 = _e1094;
+                                let _e1095 = (_e1092 == 0u);
+                                local_6 = _e1095;
+                                local_10 = _e1095;
+                                if _e1095 {
+                                    phi_1632_ = u32();
+                                    phi_1635_ = bool();
+                                    phi_2438_ = bool();
                                     phi_2439_ = false;
                                 } else {
-                                    let _e1094 = nodes.member[(0u + _e654)].links[1u];
-                                    let _e1099 = ((0u + _e1094) + select(firstTrailingBit(_e1090), 32u, (_e1090 == 0u)));
-                                    if (_e1099 < _e81) {
+                                    let _e1098 = nodes.member[(0u + _e654)].links[1u];
+                                    let _e1103 = ((0u + _e1098) + select(firstTrailingBit(_e1092), 32u, (_e1092 == 0u)));
+                                    if (_e1103 < _e81) {
                                     } else {
                                         return;
                                     }
-                                    let _e1106 = triangles.member[(0u + _e1099)].v0_;
-                                    let _e1108 = (_e1106.x - _e259);
-                                    let _e1110 = (_e1106.y - _e261);
-                                    let _e1112 = (_e1106.z - _e263);
+                                    let _e1110 = triangles.member[(0u + _e1103)].v0_;
+                                    let _e1112 = (_e1110.x - _e259);
+                                    let _e1114 = (_e1110.y - _e261);
+                                    let _e1116 = (_e1110.z - _e263);
                                     if (_e489 == 0u) {
-                                        phi_1675_ = vec3<f32>(_e1110, _e1112, _e1108);
+                                        phi_1679_ = vec3<f32>(_e1114, _e1116, _e1112);
                                     } else {
                                         if (_e489 == 1u) {
-                                            phi_1674_ = vec3<f32>(_e1112, _e1108, _e1110);
+                                            phi_1678_ = vec3<f32>(_e1116, _e1112, _e1114);
                                         } else {
-                                            phi_1674_ = (_e1106 - vec3<f32>(_e259, _e261, _e263));
+                                            phi_1678_ = (_e1110 - vec3<f32>(_e259, _e261, _e263));
                                         }
-                                        let _e1120 = phi_1674_;
-                                        phi_1675_ = _e1120;
+                                        let _e1124 = phi_1678_;
+                                        phi_1679_ = _e1124;
                                     }
-                                    let _e1122 = phi_1675_;
-                                    let _e1126 = (_e1122.x - (_e500 * _e1122.z));
-                                    let _e1130 = (_e1122.y - (_e503 * _e1122.z));
-                                    let _e1132 = triangles.member[(0u + _e1099)].v1_;
-                                    let _e1134 = (_e1132.x - _e259);
-                                    let _e1136 = (_e1132.y - _e261);
-                                    let _e1138 = (_e1132.z - _e263);
+                                    let _e1126 = phi_1679_;
+                                    let _e1130 = (_e1126.x - (_e500 * _e1126.z));
+                                    let _e1134 = (_e1126.y - (_e503 * _e1126.z));
+                                    let _e1136 = triangles.member[(0u + _e1103)].v1_;
+                                    let _e1138 = (_e1136.x - _e259);
+                                    let _e1140 = (_e1136.y - _e261);
+                                    let _e1142 = (_e1136.z - _e263);
                                     if (_e489 == 0u) {
-                                        phi_1705_ = vec3<f32>(_e1136, _e1138, _e1134);
+                                        phi_1709_ = vec3<f32>(_e1140, _e1142, _e1138);
                                     } else {
                                         if (_e489 == 1u) {
-                                            phi_1704_ = vec3<f32>(_e1138, _e1134, _e1136);
+                                            phi_1708_ = vec3<f32>(_e1142, _e1138, _e1140);
                                         } else {
-                                            phi_1704_ = (_e1132 - vec3<f32>(_e259, _e261, _e263));
+                                            phi_1708_ = (_e1136 - vec3<f32>(_e259, _e261, _e263));
                                         }
-                                        let _e1146 = phi_1704_;
-                                        phi_1705_ = _e1146;
+                                        let _e1150 = phi_1708_;
+                                        phi_1709_ = _e1150;
                                     }
-                                    let _e1148 = phi_1705_;
-                                    let _e1152 = (_e1148.x - (_e500 * _e1148.z));
-                                    let _e1156 = (_e1148.y - (_e503 * _e1148.z));
-                                    let _e1158 = triangles.member[(0u + _e1099)].v2_;
-                                    let _e1160 = (_e1158.x - _e259);
-                                    let _e1162 = (_e1158.y - _e261);
-                                    let _e1164 = (_e1158.z - _e263);
+                                    let _e1152 = phi_1709_;
+                                    let _e1156 = (_e1152.x - (_e500 * _e1152.z));
+                                    let _e1160 = (_e1152.y - (_e503 * _e1152.z));
+                                    let _e1162 = triangles.member[(0u + _e1103)].v2_;
+                                    let _e1164 = (_e1162.x - _e259);
+                                    let _e1166 = (_e1162.y - _e261);
+                                    let _e1168 = (_e1162.z - _e263);
                                     if (_e489 == 0u) {
-                                        phi_1735_ = vec3<f32>(_e1162, _e1164, _e1160);
+                                        phi_1739_ = vec3<f32>(_e1166, _e1168, _e1164);
                                     } else {
                                         if (_e489 == 1u) {
-                                            phi_1734_ = vec3<f32>(_e1164, _e1160, _e1162);
+                                            phi_1738_ = vec3<f32>(_e1168, _e1164, _e1166);
                                         } else {
-                                            phi_1734_ = (_e1158 - vec3<f32>(_e259, _e261, _e263));
+                                            phi_1738_ = (_e1162 - vec3<f32>(_e259, _e261, _e263));
                                         }
-                                        let _e1172 = phi_1734_;
-                                        phi_1735_ = _e1172;
+                                        let _e1176 = phi_1738_;
+                                        phi_1739_ = _e1176;
                                     }
-                                    let _e1174 = phi_1735_;
-                                    let _e1178 = (_e1174.x - (_e500 * _e1174.z));
-                                    let _e1182 = (_e1174.y - (_e503 * _e1174.z));
-                                    if (_e1152 < _e1178) {
-                                        phi_1754_ = true;
+                                    let _e1178 = phi_1739_;
+                                    let _e1182 = (_e1178.x - (_e500 * _e1178.z));
+                                    let _e1186 = (_e1178.y - (_e503 * _e1178.z));
+                                    if (_e1156 < _e1182) {
+                                        phi_1758_ = true;
                                     } else {
-                                        if (_e1152 == _e1178) {
-                                            phi_1753_ = (_e1156 < _e1182);
+                                        if (_e1156 == _e1182) {
+                                            phi_1757_ = (_e1160 < _e1186);
                                         } else {
-                                            phi_1753_ = false;
+                                            phi_1757_ = false;
                                         }
-                                        let _e1187 = phi_1753_;
-                                        phi_1754_ = _e1187;
+                                        let _e1191 = phi_1757_;
+                                        phi_1758_ = _e1191;
                                     }
-                                    let _e1189 = phi_1754_;
-                                    if _e1189 {
-                                        phi_1758_ = _e1182;
-                                        phi_1759_ = _e1178;
-                                        phi_1760_ = _e1156;
-                                        phi_1761_ = _e1152;
+                                    let _e1193 = phi_1758_;
+                                    if _e1193 {
+                                        phi_1762_ = _e1186;
+                                        phi_1763_ = _e1182;
+                                        phi_1764_ = _e1160;
+                                        phi_1765_ = _e1156;
                                     } else {
-                                        phi_1758_ = _e1156;
-                                        phi_1759_ = _e1152;
-                                        phi_1760_ = _e1182;
-                                        phi_1761_ = _e1178;
+                                        phi_1762_ = _e1160;
+                                        phi_1763_ = _e1156;
+                                        phi_1764_ = _e1186;
+                                        phi_1765_ = _e1182;
                                     }
-                                    let _e1191 = phi_1758_;
-                                    let _e1193 = phi_1759_;
-                                    let _e1195 = phi_1760_;
-                                    let _e1197 = phi_1761_;
-                                    let _e1200 = ((_e1197 * _e1191) - (_e1195 * _e1193));
-                                    if _e1189 {
-                                        phi_1769_ = -(_e1200);
+                                    let _e1195 = phi_1762_;
+                                    let _e1197 = phi_1763_;
+                                    let _e1199 = phi_1764_;
+                                    let _e1201 = phi_1765_;
+                                    let _e1204 = ((_e1201 * _e1195) - (_e1199 * _e1197));
+                                    if _e1193 {
+                                        phi_1773_ = -(_e1204);
                                     } else {
-                                        phi_1769_ = _e1200;
+                                        phi_1773_ = _e1204;
                                     }
-                                    let _e1203 = phi_1769_;
-                                    if (_e1178 < _e1126) {
-                                        phi_1780_ = true;
+                                    let _e1207 = phi_1773_;
+                                    if (_e1182 < _e1130) {
+                                        phi_1784_ = true;
                                     } else {
-                                        if (_e1178 == _e1126) {
-                                            phi_1779_ = (_e1182 < _e1130);
+                                        if (_e1182 == _e1130) {
+                                            phi_1783_ = (_e1186 < _e1134);
                                         } else {
-                                            phi_1779_ = false;
+                                            phi_1783_ = false;
                                         }
-                                        let _e1208 = phi_1779_;
-                                        phi_1780_ = _e1208;
+                                        let _e1212 = phi_1783_;
+                                        phi_1784_ = _e1212;
                                     }
-                                    let _e1210 = phi_1780_;
-                                    if _e1210 {
-                                        phi_1784_ = _e1130;
-                                        phi_1785_ = _e1126;
-                                        phi_1786_ = _e1182;
-                                        phi_1787_ = _e1178;
+                                    let _e1214 = phi_1784_;
+                                    if _e1214 {
+                                        phi_1788_ = _e1134;
+                                        phi_1789_ = _e1130;
+                                        phi_1790_ = _e1186;
+                                        phi_1791_ = _e1182;
                                     } else {
-                                        phi_1784_ = _e1182;
-                                        phi_1785_ = _e1178;
-                                        phi_1786_ = _e1130;
-                                        phi_1787_ = _e1126;
+                                        phi_1788_ = _e1186;
+                                        phi_1789_ = _e1182;
+                                        phi_1790_ = _e1134;
+                                        phi_1791_ = _e1130;
                                     }
-                                    let _e1212 = phi_1784_;
-                                    let _e1214 = phi_1785_;
-                                    let _e1216 = phi_1786_;
-                                    let _e1218 = phi_1787_;
-                                    let _e1221 = ((_e1218 * _e1212) - (_e1216 * _e1214));
-                                    if _e1210 {
-                                        phi_1795_ = -(_e1221);
+                                    let _e1216 = phi_1788_;
+                                    let _e1218 = phi_1789_;
+                                    let _e1220 = phi_1790_;
+                                    let _e1222 = phi_1791_;
+                                    let _e1225 = ((_e1222 * _e1216) - (_e1220 * _e1218));
+                                    if _e1214 {
+                                        phi_1799_ = -(_e1225);
                                     } else {
-                                        phi_1795_ = _e1221;
+                                        phi_1799_ = _e1225;
                                     }
-                                    let _e1224 = phi_1795_;
-                                    if (_e1126 < _e1152) {
-                                        phi_1806_ = true;
+                                    let _e1228 = phi_1799_;
+                                    if (_e1130 < _e1156) {
+                                        phi_1810_ = true;
                                     } else {
-                                        if (_e1126 == _e1152) {
-                                            phi_1805_ = (_e1130 < _e1156);
+                                        if (_e1130 == _e1156) {
+                                            phi_1809_ = (_e1134 < _e1160);
                                         } else {
-                                            phi_1805_ = false;
+                                            phi_1809_ = false;
                                         }
-                                        let _e1229 = phi_1805_;
-                                        phi_1806_ = _e1229;
+                                        let _e1233 = phi_1809_;
+                                        phi_1810_ = _e1233;
                                     }
-                                    let _e1231 = phi_1806_;
-                                    if _e1231 {
-                                        phi_1810_ = _e1156;
-                                        phi_1811_ = _e1152;
-                                        phi_1812_ = _e1130;
-                                        phi_1813_ = _e1126;
+                                    let _e1235 = phi_1810_;
+                                    if _e1235 {
+                                        phi_1814_ = _e1160;
+                                        phi_1815_ = _e1156;
+                                        phi_1816_ = _e1134;
+                                        phi_1817_ = _e1130;
                                     } else {
-                                        phi_1810_ = _e1130;
-                                        phi_1811_ = _e1126;
-                                        phi_1812_ = _e1156;
-                                        phi_1813_ = _e1152;
+                                        phi_1814_ = _e1134;
+                                        phi_1815_ = _e1130;
+                                        phi_1816_ = _e1160;
+                                        phi_1817_ = _e1156;
                                     }
-                                    let _e1233 = phi_1810_;
-                                    let _e1235 = phi_1811_;
-                                    let _e1237 = phi_1812_;
-                                    let _e1239 = phi_1813_;
-                                    let _e1242 = ((_e1239 * _e1233) - (_e1237 * _e1235));
-                                    if _e1231 {
-                                        phi_1821_ = -(_e1242);
+                                    let _e1237 = phi_1814_;
+                                    let _e1239 = phi_1815_;
+                                    let _e1241 = phi_1816_;
+                                    let _e1243 = phi_1817_;
+                                    let _e1246 = ((_e1243 * _e1237) - (_e1241 * _e1239));
+                                    if _e1235 {
+                                        phi_1825_ = -(_e1246);
                                     } else {
-                                        phi_1821_ = _e1242;
+                                        phi_1825_ = _e1246;
                                     }
-                                    let _e1245 = phi_1821_;
-                                    if (_e1203 >= 0f) {
-                                        if (_e1224 >= 0f) {
-                                            if (_e1245 >= 0f) {
-                                                phi_1836_ = ((_e1203 + _e1224) + _e1245);
-                                                phi_1837_ = false;
+                                    let _e1249 = phi_1825_;
+                                    if (_e1207 >= 0f) {
+                                        if (_e1228 >= 0f) {
+                                            if (_e1249 >= 0f) {
+                                                phi_1840_ = ((_e1207 + _e1228) + _e1249);
+                                                phi_1841_ = false;
                                             } else {
-                                                phi_1836_ = f32();
-                                                phi_1837_ = true;
+                                                phi_1840_ = f32();
+                                                phi_1841_ = true;
                                             }
-                                            let _e1252 = phi_1836_;
-                                            let _e1254 = phi_1837_;
-                                            phi_1838_ = _e1252;
-                                            phi_1839_ = _e1254;
+                                            let _e1256 = phi_1840_;
+                                            let _e1258 = phi_1841_;
+                                            phi_1842_ = _e1256;
+                                            phi_1843_ = _e1258;
                                         } else {
-                                            phi_1838_ = f32();
-                                            phi_1839_ = true;
+                                            phi_1842_ = f32();
+                                            phi_1843_ = true;
                                         }
-                                        let _e1256 = phi_1838_;
-                                        let _e1258 = phi_1839_;
-                                        phi_1840_ = _e1256;
-                                        phi_1841_ = _e1258;
+                                        let _e1260 = phi_1842_;
+                                        let _e1262 = phi_1843_;
+                                        phi_1844_ = _e1260;
+                                        phi_1845_ = _e1262;
                                     } else {
-                                        phi_1840_ = f32();
-                                        phi_1841_ = true;
+                                        phi_1844_ = f32();
+                                        phi_1845_ = true;
                                     }
-                                    let _e1260 = phi_1840_;
-                                    let _e1262 = phi_1841_;
-                                    if _e1262 {
-                                        if (_e1203 <= 0f) {
-                                            if (_e1224 <= 0f) {
-                                                let _e1265 = (_e1245 <= 0f);
-                                                if _e1265 {
+                                    let _e1264 = phi_1844_;
+                                    let _e1266 = phi_1845_;
+                                    if _e1266 {
+                                        if (_e1207 <= 0f) {
+                                            if (_e1228 <= 0f) {
+                                                let _e1269 = (_e1249 <= 0f);
+                                                if _e1269 {
                                                 }
-                                                phi_1859_ = ((_e1203 + _e1224) + _e1245);
-                                                phi_1860_ = false;
-                                                phi_1861_ = _e1265;
+                                                phi_1863_ = ((_e1207 + _e1228) + _e1249);
+                                                phi_1864_ = false;
+                                                phi_1865_ = _e1269;
                                             } else {
-                                                phi_1859_ = f32();
-                                                phi_1860_ = true;
-                                                phi_1861_ = false;
+                                                phi_1863_ = f32();
+                                                phi_1864_ = true;
+                                                phi_1865_ = false;
                                             }
-                                            let _e1269 = phi_1859_;
-                                            let _e1271 = phi_1860_;
-                                            let _e1273 = phi_1861_;
-                                            phi_1862_ = _e1269;
-                                            phi_1863_ = _e1271;
-                                            phi_1864_ = _e1273;
+                                            let _e1273 = phi_1863_;
+                                            let _e1275 = phi_1864_;
+                                            let _e1277 = phi_1865_;
+                                            phi_1866_ = _e1273;
+                                            phi_1867_ = _e1275;
+                                            phi_1868_ = _e1277;
                                         } else {
-                                            phi_1862_ = f32();
-                                            phi_1863_ = true;
-                                            phi_1864_ = false;
-                                        }
-                                        let _e1275 = phi_1862_;
-                                        let _e1277 = phi_1863_;
-                                        let _e1279 = phi_1864_;
-                                        if _e1277 {
+                                            phi_1866_ = f32();
+                                            phi_1867_ = true;
                                             phi_1868_ = false;
-                                        } else {
-                                            phi_1868_ = _e1279;
                                         }
-                                        let _e1281 = phi_1868_;
-                                        phi_1869_ = _e1275;
-                                        phi_1870_ = _e1281;
-                                    } else {
-                                        phi_1869_ = _e1260;
-                                        phi_1870_ = true;
-                                    }
-                                    let _e1283 = phi_1869_;
-                                    let _e1285 = phi_1870_;
-                                    if _e1285 {
-                                        let _e1286 = (_e1283 == 0f);
-                                        if _e1286 {
-                                            phi_2186_ = lt_bvh_triangle_Intersection();
-                                            phi_2187_ = false;
+                                        let _e1279 = phi_1866_;
+                                        let _e1281 = phi_1867_;
+                                        let _e1283 = phi_1868_;
+                                        if _e1281 {
+                                            phi_1872_ = false;
                                         } else {
-                                            let _e1288 = triangles.member[(0u + _e1099)].v0_;
-                                            let _e1290 = (_e1288.x - _e259);
-                                            let _e1292 = (_e1288.y - _e261);
-                                            let _e1294 = (_e1288.z - _e263);
-                                            if (_e489 == 0u) {
-                                                phi_1899_ = vec3<f32>(_e1292, _e1294, _e1290);
-                                            } else {
-                                                if (_e489 == 1u) {
-                                                    phi_1898_ = vec3<f32>(_e1294, _e1290, _e1292);
-                                                } else {
-                                                    phi_1898_ = (_e1288 - vec3<f32>(_e259, _e261, _e263));
-                                                }
-                                                let _e1302 = phi_1898_;
-                                                phi_1899_ = _e1302;
-                                            }
-                                            let _e1304 = phi_1899_;
-                                            let _e1306 = triangles.member[(0u + _e1099)].v1_;
-                                            let _e1308 = triangles.member[(0u + _e1099)].v0_;
-                                            let _e1311 = (_e1306.x - _e1308.x);
-                                            let _e1314 = (_e1306.y - _e1308.y);
-                                            let _e1317 = (_e1306.z - _e1308.z);
-                                            if (_e489 == 0u) {
-                                                phi_1925_ = vec3<f32>(_e1314, _e1317, _e1311);
-                                            } else {
-                                                if (_e489 == 1u) {
-                                                    phi_1924_ = vec3<f32>(_e1317, _e1311, _e1314);
-                                                } else {
-                                                    phi_1924_ = (_e1306 - _e1308);
-                                                }
-                                                let _e1324 = phi_1924_;
-                                                phi_1925_ = _e1324;
-                                            }
-                                            let _e1326 = phi_1925_;
-                                            let _e1328 = triangles.member[(0u + _e1099)].v2_;
-                                            let _e1330 = triangles.member[(0u + _e1099)].v0_;
-                                            let _e1333 = (_e1328.x - _e1330.x);
-                                            let _e1336 = (_e1328.y - _e1330.y);
-                                            let _e1339 = (_e1328.z - _e1330.z);
-                                            if (_e489 == 0u) {
-                                                phi_1951_ = vec3<f32>(_e1336, _e1339, _e1333);
-                                            } else {
-                                                if (_e489 == 1u) {
-                                                    phi_1950_ = vec3<f32>(_e1339, _e1333, _e1336);
-                                                } else {
-                                                    phi_1950_ = (_e1328 - _e1330);
-                                                }
-                                                let _e1346 = phi_1950_;
-                                                phi_1951_ = _e1346;
-                                            }
-                                            let _e1348 = phi_1951_;
-                                            let _e1355 = ((_e1326.y * _e1348.z) - (_e1326.z * _e1348.y));
-                                            let _e1362 = ((_e1326.z * _e1348.x) - (_e1326.x * _e1348.z));
-                                            let _e1369 = ((_e1326.x * _e1348.y) - (_e1326.y * _e1348.x));
-                                            let _e1383 = (((1f / _e497.z) * (((_e1355 * _e1304.x) + (_e1362 * _e1304.y)) + (_e1369 * _e1304.z))) / (((_e1355 * _e500) + (_e1362 * _e503)) + _e1369));
-                                            if (_e1383 > 0f) {
-                                                if (_e1383 < _e269) {
-                                                    let _e1387 = triangles.member[(0u + _e1099)].v0_;
-                                                    let _e1389 = triangles.member[(0u + _e1099)].v1_;
-                                                    if (_e1387.x < _e1389.x) {
-                                                        phi_2007_ = _e1387.x;
-                                                    } else {
-                                                        phi_2007_ = _e1389.x;
-                                                    }
-                                                    let _e1396 = phi_2007_;
-                                                    if (_e1387.y < _e1389.y) {
-                                                        phi_2016_ = _e1387.y;
-                                                    } else {
-                                                        phi_2016_ = _e1389.y;
-                                                    }
-                                                    let _e1403 = phi_2016_;
-                                                    if (_e1387.z < _e1389.z) {
-                                                        phi_2025_ = _e1387.z;
-                                                    } else {
-                                                        phi_2025_ = _e1389.z;
-                                                    }
-                                                    let _e1410 = phi_2025_;
-                                                    let _e1412 = triangles.member[(0u + _e1099)].v2_;
-                                                    if (_e1396 < _e1412.x) {
-                                                        phi_2034_ = _e1396;
-                                                    } else {
-                                                        phi_2034_ = _e1412.x;
-                                                    }
-                                                    let _e1417 = phi_2034_;
-                                                    if (_e1403 < _e1412.y) {
-                                                        phi_2041_ = _e1403;
-                                                    } else {
-                                                        phi_2041_ = _e1412.y;
-                                                    }
-                                                    let _e1422 = phi_2041_;
-                                                    if (_e1410 < _e1412.z) {
-                                                        phi_2048_ = _e1410;
-                                                    } else {
-                                                        phi_2048_ = _e1412.z;
-                                                    }
-                                                    let _e1427 = phi_2048_;
-                                                    let _e1429 = triangles.member[(0u + _e1099)].v0_;
-                                                    let _e1431 = triangles.member[(0u + _e1099)].v1_;
-                                                    if (_e1429.x > _e1431.x) {
-                                                        phi_2061_ = _e1429.x;
-                                                    } else {
-                                                        phi_2061_ = _e1431.x;
-                                                    }
-                                                    let _e1438 = phi_2061_;
-                                                    if (_e1429.y > _e1431.y) {
-                                                        phi_2070_ = _e1429.y;
-                                                    } else {
-                                                        phi_2070_ = _e1431.y;
-                                                    }
-                                                    let _e1445 = phi_2070_;
-                                                    if (_e1429.z > _e1431.z) {
-                                                        phi_2079_ = _e1429.z;
-                                                    } else {
-                                                        phi_2079_ = _e1431.z;
-                                                    }
-                                                    let _e1452 = phi_2079_;
-                                                    let _e1454 = triangles.member[(0u + _e1099)].v2_;
-                                                    if (_e1438 > _e1454.x) {
-                                                        phi_2088_ = _e1438;
-                                                    } else {
-                                                        phi_2088_ = _e1454.x;
-                                                    }
-                                                    let _e1459 = phi_2088_;
-                                                    if (_e1445 > _e1454.y) {
-                                                        phi_2095_ = _e1445;
-                                                    } else {
-                                                        phi_2095_ = _e1454.y;
-                                                    }
-                                                    let _e1464 = phi_2095_;
-                                                    if (_e1452 > _e1454.z) {
-                                                        phi_2102_ = _e1452;
-                                                    } else {
-                                                        phi_2102_ = _e1454.z;
-                                                    }
-                                                    let _e1469 = phi_2102_;
-                                                    let _e1473 = ((_e1417 - _e259) * _e418);
-                                                    let _e1474 = ((_e1422 - _e261) * _e428);
-                                                    let _e1475 = ((_e1427 - _e263) * _e438);
-                                                    let _e1479 = ((_e1459 - _e259) * _e418);
-                                                    let _e1480 = ((_e1464 - _e261) * _e428);
-                                                    let _e1481 = ((_e1469 - _e263) * _e438);
-                                                    if (_e1473 < _e1479) {
-                                                        phi_2119_ = _e1473;
-                                                    } else {
-                                                        phi_2119_ = _e1479;
-                                                    }
-                                                    let _e1484 = phi_2119_;
-                                                    if (_e1474 < _e1480) {
-                                                        phi_2124_ = _e1474;
-                                                    } else {
-                                                        phi_2124_ = _e1480;
-                                                    }
-                                                    let _e1487 = phi_2124_;
-                                                    if (_e1475 < _e1481) {
-                                                        phi_2129_ = _e1475;
-                                                    } else {
-                                                        phi_2129_ = _e1481;
-                                                    }
-                                                    let _e1490 = phi_2129_;
-                                                    if (_e1473 > _e1479) {
-                                                        phi_2137_ = _e1473;
-                                                    } else {
-                                                        phi_2137_ = _e1479;
-                                                    }
-                                                    let _e1496 = phi_2137_;
-                                                    if (_e1474 > _e1480) {
-                                                        phi_2142_ = _e1474;
-                                                    } else {
-                                                        phi_2142_ = _e1480;
-                                                    }
-                                                    let _e1499 = phi_2142_;
-                                                    if (_e1475 > _e1481) {
-                                                        phi_2147_ = _e1475;
-                                                    } else {
-                                                        phi_2147_ = _e1481;
-                                                    }
-                                                    let _e1502 = phi_2147_;
-                                                    let _e1506 = core_intrinsics_maximum_number_nsz_f32_((_e1484 - _e473), (_e1487 - _e474));
-                                                    let _e1507 = core_intrinsics_maximum_number_nsz_f32_(_e1506, (_e1490 - _e475));
-                                                    let _e1508 = core_intrinsics_minimum_number_nsz_f32_((_e1496 + _e473), (_e1499 + _e474));
-                                                    let _e1509 = core_intrinsics_minimum_number_nsz_f32_(_e1508, (_e1502 + _e475));
-                                                    if (_e1507 > -300000000000000000000000000000000000000f) {
-                                                        phi_2159_ = _e1507;
-                                                    } else {
-                                                        phi_2159_ = -300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1512 = phi_2159_;
-                                                    if (_e1509 < 300000000000000000000000000000000000000f) {
-                                                        phi_2164_ = _e1509;
-                                                    } else {
-                                                        phi_2164_ = 300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1515 = phi_2164_;
-                                                    if (_e1383 < _e1512) {
-                                                        phi_2169_ = _e1512;
-                                                    } else {
-                                                        phi_2169_ = _e1383;
-                                                    }
-                                                    let _e1518 = phi_2169_;
-                                                    if (_e1518 > _e1515) {
-                                                        phi_2174_ = _e1515;
-                                                    } else {
-                                                        phi_2174_ = _e1518;
-                                                    }
-                                                    let _e1521 = phi_2174_;
-                                                    phi_2179_ = lt_bvh_triangle_Intersection(_e1521, (_e1224 / _e1283), (_e1245 / _e1283), (_e1512 <= _e1515));
-                                                    phi_2180_ = false;
-                                                } else {
-                                                    phi_2179_ = lt_bvh_triangle_Intersection();
-                                                    phi_2180_ = true;
-                                                }
-                                                let _e1527 = phi_2179_;
-                                                let _e1529 = phi_2180_;
-                                                phi_2181_ = _e1527;
-                                                phi_2182_ = _e1529;
-                                            } else {
-                                                phi_2181_ = lt_bvh_triangle_Intersection();
-                                                phi_2182_ = true;
-                                            }
-                                            let _e1531 = phi_2181_;
-                                            let _e1533 = phi_2182_;
-                                            if _e1533 {
-                                            }
-                                            phi_2186_ = _e1531;
-                                            phi_2187_ = _e1533;
+                                            phi_1872_ = _e1283;
                                         }
-                                        let _e1535 = phi_2186_;
-                                        let _e1537 = phi_2187_;
-                                        phi_2188_ = _e1535;
-                                        phi_2189_ = _e1286;
-                                        phi_2190_ = _e1537;
+                                        let _e1285 = phi_1872_;
+                                        phi_1873_ = _e1279;
+                                        phi_1874_ = _e1285;
                                     } else {
-                                        phi_2188_ = lt_bvh_triangle_Intersection();
-                                        phi_2189_ = true;
-                                        phi_2190_ = false;
+                                        phi_1873_ = _e1264;
+                                        phi_1874_ = true;
                                     }
-                                    let _e1539 = phi_2188_;
-                                    let _e1541 = phi_2189_;
-                                    let _e1543 = phi_2190_;
-                                    if _e1541 {
-                                        phi_2194_ = true;
+                                    let _e1287 = phi_1873_;
+                                    let _e1289 = phi_1874_;
+                                    if _e1289 {
+                                        let _e1290 = (_e1287 == 0f);
+                                        if _e1290 {
+                                            phi_2190_ = lt_bvh_triangle_Intersection();
+                                            phi_2191_ = false;
+                                        } else {
+                                            let _e1292 = triangles.member[(0u + _e1103)].v0_;
+                                            let _e1294 = (_e1292.x - _e259);
+                                            let _e1296 = (_e1292.y - _e261);
+                                            let _e1298 = (_e1292.z - _e263);
+                                            if (_e489 == 0u) {
+                                                phi_1903_ = vec3<f32>(_e1296, _e1298, _e1294);
+                                            } else {
+                                                if (_e489 == 1u) {
+                                                    phi_1902_ = vec3<f32>(_e1298, _e1294, _e1296);
+                                                } else {
+                                                    phi_1902_ = (_e1292 - vec3<f32>(_e259, _e261, _e263));
+                                                }
+                                                let _e1306 = phi_1902_;
+                                                phi_1903_ = _e1306;
+                                            }
+                                            let _e1308 = phi_1903_;
+                                            let _e1310 = triangles.member[(0u + _e1103)].v1_;
+                                            let _e1312 = triangles.member[(0u + _e1103)].v0_;
+                                            let _e1315 = (_e1310.x - _e1312.x);
+                                            let _e1318 = (_e1310.y - _e1312.y);
+                                            let _e1321 = (_e1310.z - _e1312.z);
+                                            if (_e489 == 0u) {
+                                                phi_1929_ = vec3<f32>(_e1318, _e1321, _e1315);
+                                            } else {
+                                                if (_e489 == 1u) {
+                                                    phi_1928_ = vec3<f32>(_e1321, _e1315, _e1318);
+                                                } else {
+                                                    phi_1928_ = (_e1310 - _e1312);
+                                                }
+                                                let _e1328 = phi_1928_;
+                                                phi_1929_ = _e1328;
+                                            }
+                                            let _e1330 = phi_1929_;
+                                            let _e1332 = triangles.member[(0u + _e1103)].v2_;
+                                            let _e1334 = triangles.member[(0u + _e1103)].v0_;
+                                            let _e1337 = (_e1332.x - _e1334.x);
+                                            let _e1340 = (_e1332.y - _e1334.y);
+                                            let _e1343 = (_e1332.z - _e1334.z);
+                                            if (_e489 == 0u) {
+                                                phi_1955_ = vec3<f32>(_e1340, _e1343, _e1337);
+                                            } else {
+                                                if (_e489 == 1u) {
+                                                    phi_1954_ = vec3<f32>(_e1343, _e1337, _e1340);
+                                                } else {
+                                                    phi_1954_ = (_e1332 - _e1334);
+                                                }
+                                                let _e1350 = phi_1954_;
+                                                phi_1955_ = _e1350;
+                                            }
+                                            let _e1352 = phi_1955_;
+                                            let _e1359 = ((_e1330.y * _e1352.z) - (_e1330.z * _e1352.y));
+                                            let _e1366 = ((_e1330.z * _e1352.x) - (_e1330.x * _e1352.z));
+                                            let _e1373 = ((_e1330.x * _e1352.y) - (_e1330.y * _e1352.x));
+                                            let _e1387 = (((1f / _e497.z) * (((_e1359 * _e1308.x) + (_e1366 * _e1308.y)) + (_e1373 * _e1308.z))) / (((_e1359 * _e500) + (_e1366 * _e503)) + _e1373));
+                                            if (_e1387 > 0f) {
+                                                if (_e1387 < _e269) {
+                                                    let _e1391 = triangles.member[(0u + _e1103)].v0_;
+                                                    let _e1393 = triangles.member[(0u + _e1103)].v1_;
+                                                    if (_e1391.x < _e1393.x) {
+                                                        phi_2011_ = _e1391.x;
+                                                    } else {
+                                                        phi_2011_ = _e1393.x;
+                                                    }
+                                                    let _e1400 = phi_2011_;
+                                                    if (_e1391.y < _e1393.y) {
+                                                        phi_2020_ = _e1391.y;
+                                                    } else {
+                                                        phi_2020_ = _e1393.y;
+                                                    }
+                                                    let _e1407 = phi_2020_;
+                                                    if (_e1391.z < _e1393.z) {
+                                                        phi_2029_ = _e1391.z;
+                                                    } else {
+                                                        phi_2029_ = _e1393.z;
+                                                    }
+                                                    let _e1414 = phi_2029_;
+                                                    let _e1416 = triangles.member[(0u + _e1103)].v2_;
+                                                    if (_e1400 < _e1416.x) {
+                                                        phi_2038_ = _e1400;
+                                                    } else {
+                                                        phi_2038_ = _e1416.x;
+                                                    }
+                                                    let _e1421 = phi_2038_;
+                                                    if (_e1407 < _e1416.y) {
+                                                        phi_2045_ = _e1407;
+                                                    } else {
+                                                        phi_2045_ = _e1416.y;
+                                                    }
+                                                    let _e1426 = phi_2045_;
+                                                    if (_e1414 < _e1416.z) {
+                                                        phi_2052_ = _e1414;
+                                                    } else {
+                                                        phi_2052_ = _e1416.z;
+                                                    }
+                                                    let _e1431 = phi_2052_;
+                                                    let _e1433 = triangles.member[(0u + _e1103)].v0_;
+                                                    let _e1435 = triangles.member[(0u + _e1103)].v1_;
+                                                    if (_e1433.x > _e1435.x) {
+                                                        phi_2065_ = _e1433.x;
+                                                    } else {
+                                                        phi_2065_ = _e1435.x;
+                                                    }
+                                                    let _e1442 = phi_2065_;
+                                                    if (_e1433.y > _e1435.y) {
+                                                        phi_2074_ = _e1433.y;
+                                                    } else {
+                                                        phi_2074_ = _e1435.y;
+                                                    }
+                                                    let _e1449 = phi_2074_;
+                                                    if (_e1433.z > _e1435.z) {
+                                                        phi_2083_ = _e1433.z;
+                                                    } else {
+                                                        phi_2083_ = _e1435.z;
+                                                    }
+                                                    let _e1456 = phi_2083_;
+                                                    let _e1458 = triangles.member[(0u + _e1103)].v2_;
+                                                    if (_e1442 > _e1458.x) {
+                                                        phi_2092_ = _e1442;
+                                                    } else {
+                                                        phi_2092_ = _e1458.x;
+                                                    }
+                                                    let _e1463 = phi_2092_;
+                                                    if (_e1449 > _e1458.y) {
+                                                        phi_2099_ = _e1449;
+                                                    } else {
+                                                        phi_2099_ = _e1458.y;
+                                                    }
+                                                    let _e1468 = phi_2099_;
+                                                    if (_e1456 > _e1458.z) {
+                                                        phi_2106_ = _e1456;
+                                                    } else {
+                                                        phi_2106_ = _e1458.z;
+                                                    }
+                                                    let _e1473 = phi_2106_;
+                                                    let _e1477 = ((_e1421 - _e259) * _e418);
+                                                    let _e1478 = ((_e1426 - _e261) * _e428);
+                                                    let _e1479 = ((_e1431 - _e263) * _e438);
+                                                    let _e1483 = ((_e1463 - _e259) * _e418);
+                                                    let _e1484 = ((_e1468 - _e261) * _e428);
+                                                    let _e1485 = ((_e1473 - _e263) * _e438);
+                                                    if (_e1477 < _e1483) {
+                                                        phi_2123_ = _e1477;
+                                                    } else {
+                                                        phi_2123_ = _e1483;
+                                                    }
+                                                    let _e1488 = phi_2123_;
+                                                    if (_e1478 < _e1484) {
+                                                        phi_2128_ = _e1478;
+                                                    } else {
+                                                        phi_2128_ = _e1484;
+                                                    }
+                                                    let _e1491 = phi_2128_;
+                                                    if (_e1479 < _e1485) {
+                                                        phi_2133_ = _e1479;
+                                                    } else {
+                                                        phi_2133_ = _e1485;
+                                                    }
+                                                    let _e1494 = phi_2133_;
+                                                    if (_e1477 > _e1483) {
+                                                        phi_2141_ = _e1477;
+                                                    } else {
+                                                        phi_2141_ = _e1483;
+                                                    }
+                                                    let _e1500 = phi_2141_;
+                                                    if (_e1478 > _e1484) {
+                                                        phi_2146_ = _e1478;
+                                                    } else {
+                                                        phi_2146_ = _e1484;
+                                                    }
+                                                    let _e1503 = phi_2146_;
+                                                    if (_e1479 > _e1485) {
+                                                        phi_2151_ = _e1479;
+                                                    } else {
+                                                        phi_2151_ = _e1485;
+                                                    }
+                                                    let _e1506 = phi_2151_;
+                                                    let _e1510 = core_intrinsics_maximum_number_nsz_f32_((_e1488 - _e473), (_e1491 - _e474));
+                                                    let _e1511 = core_intrinsics_maximum_number_nsz_f32_(_e1510, (_e1494 - _e475));
+                                                    let _e1512 = core_intrinsics_minimum_number_nsz_f32_((_e1500 + _e473), (_e1503 + _e474));
+                                                    let _e1513 = core_intrinsics_minimum_number_nsz_f32_(_e1512, (_e1506 + _e475));
+                                                    if (_e1511 > -300000000000000000000000000000000000000f) {
+                                                        phi_2163_ = _e1511;
+                                                    } else {
+                                                        phi_2163_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1516 = phi_2163_;
+                                                    if (_e1513 < 300000000000000000000000000000000000000f) {
+                                                        phi_2168_ = _e1513;
+                                                    } else {
+                                                        phi_2168_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1519 = phi_2168_;
+                                                    if (_e1387 < _e1516) {
+                                                        phi_2173_ = _e1516;
+                                                    } else {
+                                                        phi_2173_ = _e1387;
+                                                    }
+                                                    let _e1522 = phi_2173_;
+                                                    if (_e1522 > _e1519) {
+                                                        phi_2178_ = _e1519;
+                                                    } else {
+                                                        phi_2178_ = _e1522;
+                                                    }
+                                                    let _e1525 = phi_2178_;
+                                                    phi_2183_ = lt_bvh_triangle_Intersection(_e1525, (_e1228 / _e1287), (_e1249 / _e1287), (_e1516 <= _e1519));
+                                                    phi_2184_ = false;
+                                                } else {
+                                                    phi_2183_ = lt_bvh_triangle_Intersection();
+                                                    phi_2184_ = true;
+                                                }
+                                                let _e1531 = phi_2183_;
+                                                let _e1533 = phi_2184_;
+                                                phi_2185_ = _e1531;
+                                                phi_2186_ = _e1533;
+                                            } else {
+                                                phi_2185_ = lt_bvh_triangle_Intersection();
+                                                phi_2186_ = true;
+                                            }
+                                            let _e1535 = phi_2185_;
+                                            let _e1537 = phi_2186_;
+                                            if _e1537 {
+                                            }
+                                            phi_2190_ = _e1535;
+                                            phi_2191_ = _e1537;
+                                        }
+                                        let _e1539 = phi_2190_;
+                                        let _e1541 = phi_2191_;
+                                        phi_2192_ = _e1539;
+                                        phi_2193_ = _e1290;
+                                        phi_2194_ = _e1541;
                                     } else {
-                                        phi_2194_ = _e1543;
+                                        phi_2192_ = lt_bvh_triangle_Intersection();
+                                        phi_2193_ = true;
+                                        phi_2194_ = false;
                                     }
-                                    let _e1545 = phi_2194_;
+                                    let _e1543 = phi_2192_;
+                                    let _e1545 = phi_2193_;
+                                    let _e1547 = phi_2194_;
                                     if _e1545 {
-                                        phi_2198_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        phi_2198_ = true;
                                     } else {
-                                        phi_2198_ = _e1539;
+                                        phi_2198_ = _e1547;
                                     }
-                                    let _e1547 = phi_2198_;
-                                    if _e1547.is_hit {
-                                        if (_e1547.t > 0f) {
-                                            if (_e1547.t < _e269) {
-                                                let _e1554 = triangles.member[(0u + _e1099)].i0_;
-                                                let _e1556 = ((_e1554 & 2147483648u) == 0u);
-                                                if _e1556 {
-                                                    phi_2421_ = false;
-                                                    phi_2422_ = false;
+                                    let _e1549 = phi_2198_;
+                                    if _e1549 {
+                                        phi_2202_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_2202_ = _e1543;
+                                    }
+                                    let _e1551 = phi_2202_;
+                                    if _e1551.is_hit {
+                                        if (_e1551.t > 0f) {
+                                            if (_e1551.t < _e269) {
+                                                let _e1558 = triangles.member[(0u + _e1103)].i0_;
+                                                if ((_e1558 & 2147483648u) == 0u) {
+                                                    phi_2421_ = true;
                                                 } else {
-                                                    if (_e1099 < _e81) {
+                                                    if (_e1103 < _e81) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1563 = triangles.member[(0u + _e1099)].i0_;
-                                                    let _e1564 = (_e1563 & 2147483647u);
-                                                    let _e1566 = triangles.member[(0u + _e1099)].i1_;
-                                                    let _e1568 = triangles.member[(0u + _e1099)].i2_;
-                                                    if (_e1564 < _e87) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1572 = vertices.member[(0u + _e1564)];
-                                                    if (_e1566 < _e87) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1576 = vertices.member[(0u + _e1566)];
+                                                    let _e1567 = triangles.member[(0u + _e1103)].i0_;
+                                                    let _e1568 = (_e1567 & 2147483647u);
+                                                    let _e1570 = triangles.member[(0u + _e1103)].i1_;
+                                                    let _e1572 = triangles.member[(0u + _e1103)].i2_;
                                                     if (_e1568 < _e87) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1580 = vertices.member[(0u + _e1568)];
-                                                    let _e1581 = array<abi_Vertex, 3>(_e1572, _e1576, _e1580);
-                                                    if (_e1581[0].material < arrayLength((&materials.member))) {
+                                                    let _e1576 = vertices.member[(0u + _e1568)];
+                                                    if (_e1570 < _e87) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1587 = materials.member[(0u + _e1581[0].material)];
-                                                    if ((_e1587.flags & 1u) == 1u) {
-                                                        let _e1592 = ((1f - _e1547.u) - _e1547.v);
-                                                        if (_e1587.cutoff <= 0f) {
-                                                            phi_2415_ = true;
+                                                    let _e1580 = vertices.member[(0u + _e1570)];
+                                                    if (_e1572 < _e87) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1584 = vertices.member[(0u + _e1572)];
+                                                    let _e1585 = array<abi_Vertex, 3>(_e1576, _e1580, _e1584);
+                                                    if (_e1585[0].material < arrayLength((&materials.member))) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1591 = materials.member[(0u + _e1585[0].material)];
+                                                    if ((_e1591.flags & 1u) == 1u) {
+                                                        let _e1596 = ((1f - _e1551.u) - _e1551.v);
+                                                        if (_e1591.cutoff <= 0f) {
+                                                            phi_2419_ = true;
                                                         } else {
-                                                            let _e1619 = (_e1587.base_color.w * ((((f32((_e1581[0].color >> bitcast<u32>(24i))) * _e1592) + (f32((_e1581[1].color >> bitcast<u32>(24i))) * _e1547.u)) + (f32((_e1581[2].color >> bitcast<u32>(24i))) * _e1547.v)) * (1f / 255f)));
-                                                            if (_e1587.alpha_size == 0u) {
-                                                                phi_2412_ = _e1619;
+                                                            let _e1623 = (_e1591.base_color.w * ((((f32((_e1585[0].color >> bitcast<u32>(24i))) * _e1596) + (f32((_e1585[1].color >> bitcast<u32>(24i))) * _e1551.u)) + (f32((_e1585[2].color >> bitcast<u32>(24i))) * _e1551.v)) * (1f / 255f)));
+                                                            if (_e1591.alpha_size == 0u) {
+                                                                phi_2416_ = _e1623;
                                                             } else {
-                                                                local.offset = _e1587.alpha_offset;
-                                                                local.size = _e1587.alpha_size;
-                                                                local.flags = _e1587.flags;
-                                                                let _e1650 = _lt_shaders_texture_TextureView_quad((&local), (((_e1581[0].u * _e1592) + (_e1581[1].u * _e1547.u)) + (_e1581[2].u * _e1547.v)), (((_e1581[0].v * _e1592) + (_e1581[1].v * _e1547.u)) + (_e1581[2].v * _e1547.v)));
-                                                                let _e1654 = (_e1650.indices[0] >> bitcast<u32>(2i));
-                                                                if (_e1654 < _e93) {
+                                                                local.offset = _e1591.alpha_offset;
+                                                                local.size = _e1591.alpha_size;
+                                                                local.flags = _e1591.flags;
+                                                                let _e1654 = _lt_shaders_texture_TextureView_quad((&local), (((_e1585[0].u * _e1596) + (_e1585[1].u * _e1551.u)) + (_e1585[2].u * _e1551.v)), (((_e1585[0].v * _e1596) + (_e1585[1].v * _e1551.u)) + (_e1585[2].v * _e1551.v)));
+                                                                let _e1658 = (_e1654.indices[0] >> bitcast<u32>(2i));
+                                                                if (_e1658 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1658 = alpha_texels.member[(0u + _e1654)];
-                                                                let _e1674 = (_e1650.indices[1] >> bitcast<u32>(2i));
-                                                                if (_e1674 < _e93) {
+                                                                let _e1662 = alpha_texels.member[(0u + _e1658)];
+                                                                let _e1678 = (_e1654.indices[1] >> bitcast<u32>(2i));
+                                                                if (_e1678 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1678 = alpha_texels.member[(0u + _e1674)];
-                                                                let _e1695 = (_e1650.indices[2] >> bitcast<u32>(2i));
-                                                                if (_e1695 < _e93) {
+                                                                let _e1682 = alpha_texels.member[(0u + _e1678)];
+                                                                let _e1699 = (_e1654.indices[2] >> bitcast<u32>(2i));
+                                                                if (_e1699 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1699 = alpha_texels.member[(0u + _e1695)];
-                                                                let _e1716 = (_e1650.indices[3] >> bitcast<u32>(2i));
-                                                                if (_e1716 < _e93) {
+                                                                let _e1703 = alpha_texels.member[(0u + _e1699)];
+                                                                let _e1720 = (_e1654.indices[3] >> bitcast<u32>(2i));
+                                                                if (_e1720 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1720 = alpha_texels.member[(0u + _e1716)];
-                                                                phi_2412_ = (_e1619 * (((((f32(((_e1658 >> bitcast<u32>((((_e1650.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1650.weights.x) + ((f32(((_e1678 >> bitcast<u32>((((_e1650.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1650.weights.y)) + ((f32(((_e1699 >> bitcast<u32>((((_e1650.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1650.weights.z)) + ((f32(((_e1720 >> bitcast<u32>((((_e1650.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1650.weights.w)));
+                                                                let _e1724 = alpha_texels.member[(0u + _e1720)];
+                                                                phi_2416_ = (_e1623 * (((((f32(((_e1662 >> bitcast<u32>((((_e1654.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.x) + ((f32(((_e1682 >> bitcast<u32>((((_e1654.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.y)) + ((f32(((_e1703 >> bitcast<u32>((((_e1654.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.z)) + ((f32(((_e1724 >> bitcast<u32>((((_e1654.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.w)));
                                                             }
-                                                            let _e1736 = phi_2412_;
-                                                            phi_2415_ = (_e1736 >= _e1587.cutoff);
+                                                            let _e1740 = phi_2416_;
+                                                            phi_2419_ = (_e1740 >= _e1591.cutoff);
                                                         }
-                                                        let _e1740 = phi_2415_;
-                                                        phi_2416_ = _e1740;
+                                                        let _e1744 = phi_2419_;
+                                                        phi_2420_ = _e1744;
                                                     } else {
-                                                        phi_2416_ = false;
-                                                    }
-                                                    let _e1742 = phi_2416_;
-                                                    if _e1742 {
                                                         phi_2420_ = false;
-                                                    } else {
-                                                        phi_2420_ = true;
                                                     }
-                                                    let _e1744 = phi_2420_;
-                                                    phi_2421_ = _e1744;
-                                                    phi_2422_ = _e1742;
+                                                    let _e1746 = phi_2420_;
+                                                    phi_2421_ = _e1746;
                                                 }
-                                                let _e1746 = phi_2421_;
-                                                let _e1748 = phi_2422_;
-                                                phi_2423_ = _e1746;
-                                                phi_2424_ = _e1556;
-                                                phi_2425_ = _e1748;
+                                                let _e1748 = phi_2421_;
+                                                if _e1748 {
+                                                    phi_2425_ = false;
+                                                } else {
+                                                    phi_2425_ = true;
+                                                }
+                                                let _e1750 = phi_2425_;
+                                                phi_2426_ = _e1748;
+                                                phi_2427_ = _e1748;
+                                                phi_2428_ = _e1750;
                                             } else {
-                                                phi_2423_ = true;
-                                                phi_2424_ = false;
-                                                phi_2425_ = false;
+                                                phi_2426_ = bool();
+                                                phi_2427_ = _e1094;
+                                                phi_2428_ = true;
                                             }
-                                            let _e1750 = phi_2423_;
-                                            let _e1752 = phi_2424_;
-                                            let _e1754 = phi_2425_;
-                                            phi_2426_ = _e1750;
-                                            phi_2427_ = _e1752;
-                                            phi_2428_ = _e1754;
+                                            let _e1752 = phi_2426_;
+                                            let _e1754 = phi_2427_;
+                                            let _e1756 = phi_2428_;
+                                            phi_2429_ = _e1752;
+                                            phi_2430_ = _e1754;
+                                            phi_2431_ = _e1756;
                                         } else {
-                                            phi_2426_ = true;
-                                            phi_2427_ = false;
-                                            phi_2428_ = false;
+                                            phi_2429_ = bool();
+                                            phi_2430_ = _e1094;
+                                            phi_2431_ = true;
                                         }
-                                        let _e1756 = phi_2426_;
-                                        let _e1758 = phi_2427_;
-                                        let _e1760 = phi_2428_;
-                                        phi_2429_ = _e1756;
-                                        phi_2430_ = _e1758;
-                                        phi_2431_ = _e1760;
+                                        let _e1758 = phi_2429_;
+                                        let _e1760 = phi_2430_;
+                                        let _e1762 = phi_2431_;
+                                        phi_2432_ = _e1758;
+                                        phi_2433_ = _e1760;
+                                        phi_2434_ = _e1762;
                                     } else {
-                                        phi_2429_ = true;
-                                        phi_2430_ = false;
-                                        phi_2431_ = false;
+                                        phi_2432_ = bool();
+                                        phi_2433_ = _e1094;
+                                        phi_2434_ = true;
                                     }
-                                    let _e1762 = phi_2429_;
-                                    let _e1764 = phi_2430_;
-                                    let _e1766 = phi_2431_;
-                                    if _e1762 {
-                                        phi_2435_ = false;
-                                        phi_2436_ = false;
-                                    } else {
-                                        phi_2435_ = _e1764;
-                                        phi_2436_ = _e1766;
+                                    let _e1764 = phi_2432_;
+                                    let _e1766 = phi_2433_;
+                                    let _e1768 = phi_2434_;
+                                    if _e1768 {
                                     }
-                                    let _e1768 = phi_2435_;
-                                    let _e1770 = phi_2436_;
-                                    phi_1630_ = (_e1090 & (_e1090 - 1u));
-                                    phi_2437_ = _e1762;
-                                    phi_2438_ = _e1768;
-                                    phi_2439_ = _e1770;
+                                    phi_1632_ = (_e1092 & (_e1092 - 1u));
+                                    phi_1635_ = _e1766;
+                                    phi_2438_ = _e1764;
+                                    phi_2439_ = _e1768;
                                 }
-                                let _e1772 = phi_1630_;
-                                let _e1774 = phi_2437_;
-                                let _e1776 = phi_2438_;
-                                let _e1778 = phi_2439_;
-                                local_8 = _e1776;
-                                local_9 = _e1778;
+                                let _e1770 = phi_1632_;
+                                let _e1772 = phi_1635_;
+                                let _e1774 = phi_2438_;
+                                let _e1776 = phi_2439_;
+                                local_9 = _e1774;
                                 continue;
                                 continuing {
-                                    phi_1629_ = _e1772;
-                                    break if !(_e1774);
+                                    phi_1631_ = _e1770;
+                                    phi_1634_ = _e1772;
+                                    break if !(_e1776);
                                 }
                             }
-                            let _e1781 = local_6;
-                            if _e1781 {
-                                let _e1783 = local_1.group_mask;
-                                if ((_e1783 & 4278190080u) == 0u) {
-                                    let _e1787 = local_1.len;
-                                    if (_e1787 == 0u) {
+                            let _e1779 = local_6;
+                            if _e1779 {
+                                let _e1781 = local_1.group_mask;
+                                if ((_e1781 & 4278190080u) == 0u) {
+                                    let _e1785 = local_1.len;
+                                    if (_e1785 == 0u) {
                                         phi_2481_ = false;
                                     } else {
-                                        let _e1791 = local_1.len;
-                                        local_1.len = (_e1791 - 1u);
-                                        let _e1794 = local_1.len;
-                                        if (_e1794 < 32u) {
+                                        let _e1789 = local_1.len;
+                                        local_1.len = (_e1789 - 1u);
+                                        let _e1792 = local_1.len;
+                                        if (_e1792 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1799 = local_1.first[(0u + _e1794)];
-                                        local_1.group = _e1799;
-                                        let _e1802 = local_1.len;
-                                        if (_e1802 < 32u) {
+                                        let _e1797 = local_1.first[(0u + _e1792)];
+                                        local_1.group = _e1797;
+                                        let _e1800 = local_1.len;
+                                        if (_e1800 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1807 = local_1.mask[(0u + _e1802)];
-                                        local_1.group_mask = _e1807;
+                                        let _e1805 = local_1.mask[(0u + _e1800)];
+                                        local_1.group_mask = _e1805;
                                         phi_2481_ = true;
                                     }
-                                    let _e1810 = phi_2481_;
-                                    phi_2482_ = _e1810;
+                                    let _e1808 = phi_2481_;
+                                    phi_2482_ = _e1808;
                                 } else {
                                     phi_2482_ = true;
                                 }
-                                let _e1812 = phi_2482_;
-                                if _e1812 {
-                                    let _e1814 = local_1.group_mask;
-                                    let _e1820 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1814)), 32u, (_e1814 == 0u)));
-                                    let _e1824 = local_1.group_mask;
-                                    let _e1838 = local_1.group_mask;
-                                    local_1.group_mask = (_e1838 & ~((1u << bitcast<u32>((_e1820 & 31u)))));
-                                    let _e1841 = local_1.group;
-                                    phi_2513_ = (_e1841 + countOneBits(((_e1824 & ~((4294967295u << bitcast<u32>((((_e1820 - 24u) ^ _e516) & 31u))))) & 255u)));
+                                let _e1810 = phi_2482_;
+                                if _e1810 {
+                                    let _e1812 = local_1.group_mask;
+                                    let _e1818 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1812)), 32u, (_e1812 == 0u)));
+                                    let _e1822 = local_1.group_mask;
+                                    let _e1836 = local_1.group_mask;
+                                    local_1.group_mask = (_e1836 & ~((1u << bitcast<u32>((_e1818 & 31u)))));
+                                    let _e1839 = local_1.group;
+                                    phi_2513_ = (_e1839 + countOneBits(((_e1822 & ~((4294967295u << bitcast<u32>((((_e1818 - 24u) ^ _e516) & 31u))))) & 255u)));
                                 } else {
                                     phi_2513_ = 4294967295u;
                                 }
-                                let _e1844 = phi_2513_;
-                                phi_2514_ = _e1844;
-                                phi_2515_ = false;
-                                phi_2516_ = false;
+                                let _e1842 = phi_2513_;
+                                phi_2514_ = _e1842;
                             } else {
                                 phi_2514_ = u32();
-                                let _e2072 = local_8;
-                                phi_2515_ = _e2072;
-                                let _e2075 = local_9;
-                                phi_2516_ = _e2075;
                             }
-                            let _e1846 = phi_2514_;
-                            let _e1848 = phi_2515_;
-                            let _e1850 = phi_2516_;
-                            phi_1300_ = _e1846;
-                            let _e2079 = local_10;
-                            phi_2517_ = _e2079;
-                            phi_2518_ = false;
-                            phi_2519_ = _e1848;
-                            phi_2520_ = _e1850;
+                            let _e1844 = phi_2514_;
+                            phi_1300_ = _e1844;
+                            let _e2062 = local_8;
+                            phi_1303_ = _e2062;
+                            let _e2065 = local_9;
+                            phi_2515_ = _e2065;
+                            let _e2068 = local_10;
+                            phi_2516_ = _e2068;
+                            phi_2517_ = false;
                         } else {
                             phi_1300_ = u32();
-                            phi_2517_ = false;
-                            phi_2518_ = true;
-                            phi_2519_ = false;
-                            phi_2520_ = false;
+                            phi_1303_ = bool();
+                            phi_2515_ = bool();
+                            phi_2516_ = false;
+                            phi_2517_ = true;
                         }
-                        let _e1852 = phi_1300_;
+                        let _e1846 = phi_1300_;
+                        let _e1848 = phi_1303_;
+                        let _e1850 = phi_2515_;
+                        let _e1852 = phi_2516_;
                         let _e1854 = phi_2517_;
-                        let _e1856 = phi_2518_;
-                        let _e1858 = phi_2519_;
-                        let _e1860 = phi_2520_;
-                        local_7 = _e1856;
-                        local_11 = _e1858;
-                        local_12 = _e1860;
+                        local_7 = _e1854;
+                        local_11 = _e1850;
                         continue;
                         continuing {
-                            phi_1299_ = _e1852;
-                            break if !(_e1854);
+                            phi_1299_ = _e1846;
+                            phi_1302_ = _e1848;
+                            break if !(_e1852);
                         }
                     }
-                    let _e1863 = local_7;
-                    if _e1863 {
-                        phi_2524_ = false;
-                        phi_2525_ = false;
+                    let _e1857 = local_7;
+                    if _e1857 {
+                        phi_2521_ = false;
                     } else {
-                        let _e2086 = local_11;
-                        phi_2524_ = _e2086;
-                        let _e2089 = local_12;
-                        phi_2525_ = _e2089;
+                        phi_2521_ = true;
                     }
-                    let _e1865 = phi_2524_;
-                    let _e1867 = phi_2525_;
-                    if _e1865 {
-                        phi_2529_ = true;
+                    let _e1859 = phi_2521_;
+                    if _e1859 {
+                        let _e2074 = local_11;
+                        phi_2525_ = _e2074;
                     } else {
-                        phi_2529_ = _e1867;
+                        let _e2076 = local_12;
+                        phi_2525_ = _e2076;
                     }
-                    let _e1869 = phi_2529_;
-                    if _e1869 {
-                        phi_2533_ = true;
-                    } else {
-                        phi_2533_ = false;
-                    }
-                    let _e1871 = phi_2533_;
-                    phi_2534_ = _e1871;
+                    let _e1861 = phi_2525_;
+                    phi_2526_ = _e1861;
                 }
-                let _e1873 = phi_2534_;
-                phi_2535_ = _e1873;
-                phi_2536_ = _e342;
+                let _e1863 = phi_2526_;
+                phi_2527_ = _e1863;
+                phi_2528_ = _e342;
             } else {
-                phi_2535_ = bool();
-                phi_2536_ = true;
+                phi_2527_ = bool();
+                phi_2528_ = true;
             }
-            let _e1875 = phi_2535_;
-            let _e1877 = phi_2536_;
-            if _e1877 {
-                phi_2540_ = false;
+            let _e1865 = phi_2527_;
+            let _e1867 = phi_2528_;
+            if _e1867 {
+                phi_2532_ = false;
             } else {
-                phi_2540_ = _e1875;
+                phi_2532_ = _e1865;
             }
-            let _e1879 = phi_2540_;
-            if _e1879 {
-                phi_2544_ = 0f;
+            let _e1869 = phi_2532_;
+            if _e1869 {
+                phi_2536_ = 0f;
             } else {
-                phi_2544_ = 1f;
+                phi_2536_ = 1f;
             }
-            let _e1881 = phi_2544_;
-            phi_2545_ = _e1881;
+            let _e1871 = phi_2536_;
+            phi_2537_ = _e1871;
         }
-        let _e1883 = phi_2545_;
+        let _e1873 = phi_2537_;
         if (_e99.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e99.first_primitive)] = _e1883;
+        visibility.member[(0u + _e99.first_primitive)] = _e1873;
     }
     return;
 }

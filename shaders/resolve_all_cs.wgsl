@@ -39,11 +39,48 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
     row_z: vec4<f32>,
     row_w: vec4<f32>,
+}
+
+struct abi_ShadowParams {
+    projection: lt_math_LightProjection,
+    light: abi_LightParams,
+    test: vec4<f32>,
+    size: vec2<u32>,
+    map_size: u32,
+    epsilon: f32,
+    root: u32,
+    level_count: u32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_32 {
+    member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_37 {
+    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Triangle {
@@ -55,28 +92,8 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_31 {
+struct type_41 {
     member: array<lt_bvh_Triangle>,
-}
-
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_40 {
-    member: array<lt_bvh_Node>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
@@ -91,23 +108,6 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-struct abi_ShadowParams {
-    projection: lt_math_LightProjection,
-    light: abi_LightParams,
-    test: vec4<f32>,
-    size: vec2<u32>,
-    map_size: u32,
-    epsilon: f32,
-    root: u32,
-    level_count: u32,
-    fade_uv: f32,
-    pad0_: u32,
-}
-
-struct type_48 {
-    member: abi_ShadowParams,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> samples: type_9;
@@ -115,11 +115,11 @@ var<storage> samples: type_9;
 var<storage, read_write> visibility: type_13;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_48;
+var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> nodes: type_40;
+var<storage> nodes: type_37;
 @group(0) @binding(3) 
-var<storage> triangles: type_31;
+var<storage> triangles: type_41;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_173_: lt_bvh_traverse_Tree;
@@ -200,11 +200,11 @@ fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
 }
 
 fn _lt_shaders_abi_Sample_is_valid(param_7: ptr<function, abi_Sample>) -> bool {
-    var phi_1910_: bool;
-    var phi_1911_: bool;
-    var phi_1912_: bool;
-    var phi_1913_: bool;
-    var phi_1917_: bool;
+    var phi_1891_: bool;
+    var phi_1892_: bool;
+    var phi_1893_: bool;
+    var phi_1894_: bool;
+    var phi_1898_: bool;
 
     let _e55 = (*param_7).normal[0u];
     let _e57 = global[0u];
@@ -214,28 +214,28 @@ fn _lt_shaders_abi_Sample_is_valid(param_7: ptr<function, abi_Sample>) -> bool {
         if (_e60 == _e62) {
             let _e65 = (*param_7).normal[2u];
             let _e67 = global[2u];
-            phi_1910_ = (_e65 == _e67);
-            phi_1911_ = false;
+            phi_1891_ = (_e65 == _e67);
+            phi_1892_ = false;
         } else {
-            phi_1910_ = bool();
-            phi_1911_ = true;
+            phi_1891_ = bool();
+            phi_1892_ = true;
         }
-        let _e70 = phi_1910_;
-        let _e72 = phi_1911_;
-        phi_1912_ = _e70;
-        phi_1913_ = _e72;
+        let _e70 = phi_1891_;
+        let _e72 = phi_1892_;
+        phi_1893_ = _e70;
+        phi_1894_ = _e72;
     } else {
-        phi_1912_ = bool();
-        phi_1913_ = true;
+        phi_1893_ = bool();
+        phi_1894_ = true;
     }
-    let _e74 = phi_1912_;
-    let _e76 = phi_1913_;
+    let _e74 = phi_1893_;
+    let _e76 = phi_1894_;
     if _e76 {
-        phi_1917_ = false;
+        phi_1898_ = false;
     } else {
-        phi_1917_ = _e74;
+        phi_1898_ = _e74;
     }
-    let _e78 = phi_1917_;
+    let _e78 = phi_1898_;
     return !(_e78);
 }
 
@@ -296,155 +296,142 @@ fn function_() {
     var phi_797_: bool;
     var phi_828_: u32;
     var phi_830_: u32;
-    var phi_911_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_938_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_965_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_971_: u32;
-    var phi_974_: u32;
-    var phi_988_: u32;
-    var phi_998_: u32;
-    var phi_1008_: u32;
-    var phi_1026_: u32;
-    var phi_1036_: u32;
-    var phi_1046_: u32;
-    var phi_1082_: u32;
-    var phi_1095_: u32;
-    var phi_1100_: u32;
-    var phi_1101_: u32;
+    var phi_833_: bool;
+    var phi_913_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_940_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_967_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_973_: u32;
+    var phi_976_: u32;
+    var phi_990_: u32;
+    var phi_1000_: u32;
+    var phi_1010_: u32;
+    var phi_1028_: u32;
+    var phi_1038_: u32;
+    var phi_1048_: u32;
+    var phi_1084_: u32;
+    var phi_1097_: u32;
     var phi_1102_: u32;
-    var phi_972_: u32;
-    var phi_975_: u32;
+    var phi_1103_: u32;
+    var phi_1104_: u32;
+    var phi_974_: u32;
+    var phi_977_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1160_: u32;
-    var phi_1205_: vec3<f32>;
-    var phi_1206_: vec3<f32>;
-    var phi_1235_: vec3<f32>;
-    var phi_1236_: vec3<f32>;
-    var phi_1265_: vec3<f32>;
-    var phi_1266_: vec3<f32>;
-    var phi_1284_: bool;
-    var phi_1285_: bool;
-    var phi_1289_: f32;
-    var phi_1290_: f32;
-    var phi_1291_: f32;
-    var phi_1292_: f32;
-    var phi_1300_: f32;
-    var phi_1310_: bool;
-    var phi_1311_: bool;
-    var phi_1315_: f32;
-    var phi_1316_: f32;
-    var phi_1317_: f32;
-    var phi_1318_: f32;
-    var phi_1326_: f32;
-    var phi_1336_: bool;
-    var phi_1337_: bool;
-    var phi_1341_: f32;
-    var phi_1342_: f32;
-    var phi_1343_: f32;
-    var phi_1344_: f32;
-    var phi_1352_: f32;
-    var phi_1367_: f32;
-    var phi_1368_: bool;
-    var phi_1369_: f32;
-    var phi_1370_: bool;
+    var phi_1162_: u32;
+    var phi_1165_: bool;
+    var phi_1209_: vec3<f32>;
+    var phi_1210_: vec3<f32>;
+    var phi_1239_: vec3<f32>;
+    var phi_1240_: vec3<f32>;
+    var phi_1269_: vec3<f32>;
+    var phi_1270_: vec3<f32>;
+    var phi_1288_: bool;
+    var phi_1289_: bool;
+    var phi_1293_: f32;
+    var phi_1294_: f32;
+    var phi_1295_: f32;
+    var phi_1296_: f32;
+    var phi_1304_: f32;
+    var phi_1314_: bool;
+    var phi_1315_: bool;
+    var phi_1319_: f32;
+    var phi_1320_: f32;
+    var phi_1321_: f32;
+    var phi_1322_: f32;
+    var phi_1330_: f32;
+    var phi_1340_: bool;
+    var phi_1341_: bool;
+    var phi_1345_: f32;
+    var phi_1346_: f32;
+    var phi_1347_: f32;
+    var phi_1348_: f32;
+    var phi_1356_: f32;
     var phi_1371_: f32;
     var phi_1372_: bool;
-    var phi_1390_: f32;
-    var phi_1391_: bool;
-    var phi_1392_: bool;
-    var phi_1393_: f32;
-    var phi_1394_: bool;
+    var phi_1373_: f32;
+    var phi_1374_: bool;
+    var phi_1375_: f32;
+    var phi_1376_: bool;
+    var phi_1394_: f32;
     var phi_1395_: bool;
+    var phi_1396_: bool;
+    var phi_1397_: f32;
+    var phi_1398_: bool;
     var phi_1399_: bool;
-    var phi_1400_: f32;
-    var phi_1401_: bool;
-    var phi_1429_: vec3<f32>;
-    var phi_1430_: vec3<f32>;
-    var phi_1455_: vec3<f32>;
-    var phi_1456_: vec3<f32>;
-    var phi_1481_: vec3<f32>;
-    var phi_1482_: vec3<f32>;
-    var phi_1538_: f32;
-    var phi_1547_: f32;
-    var phi_1556_: f32;
-    var phi_1565_: f32;
-    var phi_1572_: f32;
-    var phi_1579_: f32;
-    var phi_1592_: f32;
-    var phi_1601_: f32;
-    var phi_1610_: f32;
-    var phi_1619_: f32;
-    var phi_1626_: f32;
-    var phi_1633_: f32;
-    var phi_1650_: f32;
-    var phi_1655_: f32;
-    var phi_1660_: f32;
-    var phi_1668_: f32;
-    var phi_1673_: f32;
-    var phi_1678_: f32;
-    var phi_1690_: f32;
-    var phi_1695_: f32;
-    var phi_1700_: f32;
-    var phi_1705_: f32;
-    var phi_1710_: lt_bvh_triangle_Intersection;
-    var phi_1711_: bool;
-    var phi_1712_: lt_bvh_triangle_Intersection;
-    var phi_1713_: bool;
-    var phi_1717_: lt_bvh_triangle_Intersection;
-    var phi_1718_: bool;
-    var phi_1719_: lt_bvh_triangle_Intersection;
-    var phi_1720_: bool;
-    var phi_1721_: bool;
+    var phi_1403_: bool;
+    var phi_1404_: f32;
+    var phi_1405_: bool;
+    var phi_1433_: vec3<f32>;
+    var phi_1434_: vec3<f32>;
+    var phi_1459_: vec3<f32>;
+    var phi_1460_: vec3<f32>;
+    var phi_1485_: vec3<f32>;
+    var phi_1486_: vec3<f32>;
+    var phi_1542_: f32;
+    var phi_1551_: f32;
+    var phi_1560_: f32;
+    var phi_1569_: f32;
+    var phi_1576_: f32;
+    var phi_1583_: f32;
+    var phi_1596_: f32;
+    var phi_1605_: f32;
+    var phi_1614_: f32;
+    var phi_1623_: f32;
+    var phi_1630_: f32;
+    var phi_1637_: f32;
+    var phi_1654_: f32;
+    var phi_1659_: f32;
+    var phi_1664_: f32;
+    var phi_1672_: f32;
+    var phi_1677_: f32;
+    var phi_1682_: f32;
+    var phi_1694_: f32;
+    var phi_1699_: f32;
+    var phi_1704_: f32;
+    var phi_1709_: f32;
+    var phi_1714_: lt_bvh_triangle_Intersection;
+    var phi_1715_: bool;
+    var phi_1716_: lt_bvh_triangle_Intersection;
+    var phi_1717_: bool;
+    var phi_1721_: lt_bvh_triangle_Intersection;
+    var phi_1722_: bool;
+    var phi_1723_: lt_bvh_triangle_Intersection;
+    var phi_1724_: bool;
     var phi_1725_: bool;
-    var phi_1729_: lt_bvh_triangle_Intersection;
+    var phi_1729_: bool;
+    var phi_1733_: lt_bvh_triangle_Intersection;
+    var phi_1753_: bool;
     var phi_1754_: bool;
     var phi_1755_: bool;
     var phi_1756_: bool;
     var phi_1757_: bool;
     var phi_1758_: bool;
     var phi_1759_: bool;
-    var phi_1760_: bool;
-    var phi_1761_: bool;
-    var phi_1762_: bool;
+    var phi_1163_: u32;
+    var phi_1166_: bool;
     var phi_1763_: bool;
-    var phi_1764_: bool;
-    var phi_1765_: bool;
-    var phi_1769_: bool;
-    var phi_1770_: bool;
-    var phi_1161_: u32;
-    var phi_1771_: bool;
-    var phi_1772_: bool;
-    var phi_1773_: bool;
     var local_5: bool;
-    var phi_1815_: bool;
-    var phi_1816_: bool;
-    var phi_1847_: u32;
-    var phi_1848_: u32;
+    var phi_1805_: bool;
+    var phi_1806_: bool;
+    var phi_1837_: u32;
+    var phi_1838_: u32;
+    var phi_831_: u32;
+    var phi_834_: bool;
+    var phi_1839_: bool;
+    var phi_1840_: bool;
+    var local_6: bool;
+    var phi_1844_: bool;
+    var phi_1848_: bool;
     var phi_1849_: bool;
     var phi_1850_: bool;
-    var phi_831_: u32;
     var phi_1851_: bool;
-    var phi_1852_: bool;
-    var phi_1853_: bool;
-    var phi_1854_: bool;
-    var local_6: bool;
-    var phi_1858_: bool;
-    var phi_1859_: bool;
-    var phi_1863_: bool;
-    var phi_1867_: bool;
-    var phi_1868_: bool;
-    var phi_1869_: bool;
-    var phi_1870_: bool;
-    var phi_1874_: bool;
-    var phi_1878_: f32;
-    var phi_1879_: f32;
+    var phi_1855_: bool;
+    var phi_1859_: f32;
+    var phi_1860_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
-    var local_10: bool;
-    var local_11: bool;
 
     let _e54 = id_1;
     let _e61 = arrayLength((&nodes.member));
@@ -521,7 +508,7 @@ fn function_() {
         }
         let _e213 = phi_353_;
         if _e213.unnamed_1 {
-            phi_1879_ = _e213.unnamed.visibility;
+            phi_1860_ = _e213.unnamed.visibility;
         } else {
             let _e219 = local_1.position;
             let _e221 = local_1.normal;
@@ -649,7 +636,7 @@ fn function_() {
             if _e315 {
                 let _e316 = (0u >= _e61);
                 if _e316 {
-                    phi_1868_ = bool();
+                    phi_1849_ = bool();
                 } else {
                     if (0u < _e61) {
                     } else {
@@ -840,913 +827,867 @@ fn function_() {
                     }
                     let _e626 = phi_828_;
                     phi_830_ = _e626;
+                    phi_833_ = false;
                     loop {
                         let _e628 = phi_830_;
+                        let _e630 = phi_833_;
+                        local_9 = _e630;
                         if (_e628 != 4294967295u) {
                             if (_e628 < _e61) {
                             } else {
                                 return;
                             }
-                            let _e635 = nodes.member[(0u + _e628)].frame[3u];
-                            let _e660 = (bitcast<f32>((((_e635 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e392);
-                            let _e661 = (bitcast<f32>((((_e635 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e402);
-                            let _e662 = (bitcast<f32>((((_e635 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e412);
-                            let _e665 = nodes.member[(0u + _e628)].frame[0u];
-                            let _e669 = nodes.member[(0u + _e628)].frame[1u];
-                            let _e673 = nodes.member[(0u + _e628)].frame[2u];
-                            let _e678 = ((bitcast<f32>(_e665) - _e233) * _e392);
-                            let _e679 = ((bitcast<f32>(_e669) - _e235) * _e402);
-                            let _e680 = ((bitcast<f32>(_e673) - _e237) * _e412);
-                            let _e688 = nodes.member[(0u + _e628)].x;
+                            let _e637 = nodes.member[(0u + _e628)].frame[3u];
+                            let _e662 = (bitcast<f32>((((_e637 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e392);
+                            let _e663 = (bitcast<f32>((((_e637 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e402);
+                            let _e664 = (bitcast<f32>((((_e637 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e412);
+                            let _e667 = nodes.member[(0u + _e628)].frame[0u];
+                            let _e671 = nodes.member[(0u + _e628)].frame[1u];
+                            let _e675 = nodes.member[(0u + _e628)].frame[2u];
+                            let _e680 = ((bitcast<f32>(_e667) - _e233) * _e392);
+                            let _e681 = ((bitcast<f32>(_e671) - _e235) * _e402);
+                            let _e682 = ((bitcast<f32>(_e675) - _e237) * _e412);
+                            let _e690 = nodes.member[(0u + _e628)].x;
                             if (_e392 < 0f) {
-                                let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e688.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.unnamed.root, _e688.w), _e699.unnamed_1);
-                                let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_bvh_traverse_Tree(_e688.x, _e705.unnamed_1.first_primitive));
-                                phi_911_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_bvh_traverse_Tree(_e711.unnamed_1.root, _e688.y));
+                                let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.unnamed.root, _e690.w), _e701.unnamed_1);
+                                let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_bvh_traverse_Tree(_e690.x, _e707.unnamed_1.first_primitive));
+                                phi_913_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e713.unnamed_1.root, _e690.y));
                             } else {
-                                let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e688.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e727.unnamed.root, _e688.y), _e727.unnamed_1);
-                                let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_bvh_traverse_Tree(_e688.z, _e733.unnamed_1.first_primitive));
-                                phi_911_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e739.unnamed_1.root, _e688.w));
+                                let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e729.unnamed.root, _e690.y), _e729.unnamed_1);
+                                let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e690.z, _e735.unnamed_1.first_primitive));
+                                phi_913_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e690.w));
                             }
-                            let _e747 = phi_911_;
-                            let _e757 = nodes.member[(0u + _e628)].y;
+                            let _e749 = phi_913_;
+                            let _e759 = nodes.member[(0u + _e628)].y;
                             if (_e402 < 0f) {
-                                let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e757.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e768.unnamed.root, _e757.w), _e768.unnamed_1);
-                                let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_bvh_traverse_Tree(_e757.x, _e774.unnamed_1.first_primitive));
-                                phi_938_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_bvh_traverse_Tree(_e780.unnamed_1.root, _e757.y));
+                                let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.unnamed.root, _e759.w), _e770.unnamed_1);
+                                let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_bvh_traverse_Tree(_e759.x, _e776.unnamed_1.first_primitive));
+                                phi_940_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_bvh_traverse_Tree(_e782.unnamed_1.root, _e759.y));
                             } else {
-                                let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e757.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e796.unnamed.root, _e757.y), _e796.unnamed_1);
-                                let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_bvh_traverse_Tree(_e757.z, _e802.unnamed_1.first_primitive));
-                                phi_938_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e808.unnamed, lt_bvh_traverse_Tree(_e808.unnamed_1.root, _e757.w));
+                                let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e798.unnamed.root, _e759.y), _e798.unnamed_1);
+                                let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_bvh_traverse_Tree(_e759.z, _e804.unnamed_1.first_primitive));
+                                phi_940_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e810.unnamed, lt_bvh_traverse_Tree(_e810.unnamed_1.root, _e759.w));
                             }
-                            let _e816 = phi_938_;
-                            let _e826 = nodes.member[(0u + _e628)].z;
+                            let _e818 = phi_940_;
+                            let _e828 = nodes.member[(0u + _e628)].z;
                             if (_e412 < 0f) {
-                                let _e837 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e826.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e843 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e837.unnamed.root, _e826.w), _e837.unnamed_1);
-                                let _e849 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e843.unnamed, lt_bvh_traverse_Tree(_e826.x, _e843.unnamed_1.first_primitive));
-                                phi_965_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e849.unnamed, lt_bvh_traverse_Tree(_e849.unnamed_1.root, _e826.y));
+                                let _e839 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e828.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e845 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e839.unnamed.root, _e828.w), _e839.unnamed_1);
+                                let _e851 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e845.unnamed, lt_bvh_traverse_Tree(_e828.x, _e845.unnamed_1.first_primitive));
+                                phi_967_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e851.unnamed, lt_bvh_traverse_Tree(_e851.unnamed_1.root, _e828.y));
                             } else {
-                                let _e865 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e826.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e871 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e865.unnamed.root, _e826.y), _e865.unnamed_1);
-                                let _e877 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e871.unnamed, lt_bvh_traverse_Tree(_e826.z, _e871.unnamed_1.first_primitive));
-                                phi_965_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e877.unnamed, lt_bvh_traverse_Tree(_e877.unnamed_1.root, _e826.w));
+                                let _e867 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e828.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e873 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e867.unnamed.root, _e828.y), _e867.unnamed_1);
+                                let _e879 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e873.unnamed, lt_bvh_traverse_Tree(_e828.z, _e873.unnamed_1.first_primitive));
+                                phi_967_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e879.unnamed, lt_bvh_traverse_Tree(_e879.unnamed_1.root, _e828.w));
                             }
-                            let _e885 = phi_965_;
-                            phi_971_ = 0u;
-                            phi_974_ = 0u;
+                            let _e887 = phi_967_;
+                            phi_973_ = 0u;
+                            phi_976_ = 0u;
                             loop {
-                                let _e895 = phi_971_;
-                                let _e897 = phi_974_;
-                                local_2 = _e897;
-                                local_3 = _e897;
-                                local_4 = _e897;
-                                let _e898 = (_e895 < 8u);
-                                if _e898 {
-                                    let _e900 = (_e895 >> bitcast<u32>(2i));
-                                    let _e901 = (_e895 & 3u);
-                                    if (_e900 == 0u) {
-                                        phi_988_ = _e747.unnamed.root;
+                                let _e897 = phi_973_;
+                                let _e899 = phi_976_;
+                                local_2 = _e899;
+                                local_3 = _e899;
+                                local_4 = _e899;
+                                let _e900 = (_e897 < 8u);
+                                if _e900 {
+                                    let _e902 = (_e897 >> bitcast<u32>(2i));
+                                    let _e903 = (_e897 & 3u);
+                                    if (_e902 == 0u) {
+                                        phi_990_ = _e749.unnamed.root;
                                     } else {
-                                        phi_988_ = _e747.unnamed.first_primitive;
+                                        phi_990_ = _e749.unnamed.first_primitive;
                                     }
-                                    let _e904 = phi_988_;
-                                    if (_e900 == 0u) {
-                                        phi_998_ = _e816.unnamed.root;
+                                    let _e906 = phi_990_;
+                                    if (_e902 == 0u) {
+                                        phi_1000_ = _e818.unnamed.root;
                                     } else {
-                                        phi_998_ = _e816.unnamed.first_primitive;
+                                        phi_1000_ = _e818.unnamed.first_primitive;
                                     }
-                                    let _e913 = phi_998_;
-                                    if (_e900 == 0u) {
-                                        phi_1008_ = _e885.unnamed.root;
+                                    let _e915 = phi_1000_;
+                                    if (_e902 == 0u) {
+                                        phi_1010_ = _e887.unnamed.root;
                                     } else {
-                                        phi_1008_ = _e885.unnamed.first_primitive;
+                                        phi_1010_ = _e887.unnamed.first_primitive;
                                     }
-                                    let _e922 = phi_1008_;
-                                    let _e935 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e904 >> bitcast<u32>(((_e901 * 8u) & 31u))) & 255u)) * _e660) + (_e678 - _e440)), ((f32(((_e913 >> bitcast<u32>(((_e901 * 8u) & 31u))) & 255u)) * _e661) + (_e679 - _e441)));
-                                    let _e936 = core_intrinsics_maximum_number_nsz_f32_(_e935, ((f32(((_e922 >> bitcast<u32>(((_e901 * 8u) & 31u))) & 255u)) * _e662) + (_e680 - _e442)));
-                                    if (_e900 == 0u) {
-                                        phi_1026_ = _e747.unnamed_1.root;
+                                    let _e924 = phi_1010_;
+                                    let _e937 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e906 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e662) + (_e680 - _e440)), ((f32(((_e915 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e663) + (_e681 - _e441)));
+                                    let _e938 = core_intrinsics_maximum_number_nsz_f32_(_e937, ((f32(((_e924 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e664) + (_e682 - _e442)));
+                                    if (_e902 == 0u) {
+                                        phi_1028_ = _e749.unnamed_1.root;
                                     } else {
-                                        phi_1026_ = _e747.unnamed_1.first_primitive;
+                                        phi_1028_ = _e749.unnamed_1.first_primitive;
                                     }
-                                    let _e939 = phi_1026_;
-                                    if (_e900 == 0u) {
-                                        phi_1036_ = _e816.unnamed_1.root;
+                                    let _e941 = phi_1028_;
+                                    if (_e902 == 0u) {
+                                        phi_1038_ = _e818.unnamed_1.root;
                                     } else {
-                                        phi_1036_ = _e816.unnamed_1.first_primitive;
+                                        phi_1038_ = _e818.unnamed_1.first_primitive;
                                     }
-                                    let _e948 = phi_1036_;
-                                    if (_e900 == 0u) {
-                                        phi_1046_ = _e885.unnamed_1.root;
+                                    let _e950 = phi_1038_;
+                                    if (_e902 == 0u) {
+                                        phi_1048_ = _e887.unnamed_1.root;
                                     } else {
-                                        phi_1046_ = _e885.unnamed_1.first_primitive;
+                                        phi_1048_ = _e887.unnamed_1.first_primitive;
                                     }
-                                    let _e957 = phi_1046_;
-                                    let _e970 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e939 >> bitcast<u32>(((_e901 * 8u) & 31u))) & 255u)) * _e660) + (_e678 + _e440)), ((f32(((_e948 >> bitcast<u32>(((_e901 * 8u) & 31u))) & 255u)) * _e661) + (_e679 + _e441)));
-                                    let _e971 = core_intrinsics_minimum_number_nsz_f32_(_e970, ((f32(((_e957 >> bitcast<u32>(((_e901 * 8u) & 31u))) & 255u)) * _e662) + (_e680 + _e442)));
-                                    if (_e936 <= _e971) {
-                                        if (_e936 <= _e243) {
-                                            if (_e971 >= 0f) {
-                                                if (_e900 == 0u) {
-                                                    let _e978 = nodes.member[(0u + _e628)].links[2u];
-                                                    phi_1082_ = _e978;
+                                    let _e959 = phi_1048_;
+                                    let _e972 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e941 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e662) + (_e680 + _e440)), ((f32(((_e950 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e663) + (_e681 + _e441)));
+                                    let _e973 = core_intrinsics_minimum_number_nsz_f32_(_e972, ((f32(((_e959 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e664) + (_e682 + _e442)));
+                                    if (_e938 <= _e973) {
+                                        if (_e938 <= _e243) {
+                                            if (_e973 >= 0f) {
+                                                if (_e902 == 0u) {
+                                                    let _e980 = nodes.member[(0u + _e628)].links[2u];
+                                                    phi_1084_ = _e980;
                                                 } else {
-                                                    let _e981 = nodes.member[(0u + _e628)].links[3u];
-                                                    phi_1082_ = _e981;
+                                                    let _e983 = nodes.member[(0u + _e628)].links[3u];
+                                                    phi_1084_ = _e983;
                                                 }
-                                                let _e983 = phi_1082_;
-                                                let _e988 = ((_e983 >> bitcast<u32>(((_e901 * 8u) & 31u))) & 255u);
-                                                let _e989 = (_e988 & 31u);
-                                                if (_e989 >= 24u) {
-                                                    phi_1095_ = (24u + ((_e989 - 24u) ^ _e490));
+                                                let _e985 = phi_1084_;
+                                                let _e990 = ((_e985 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u);
+                                                let _e991 = (_e990 & 31u);
+                                                if (_e991 >= 24u) {
+                                                    phi_1097_ = (24u + ((_e991 - 24u) ^ _e490));
                                                 } else {
-                                                    phi_1095_ = _e989;
+                                                    phi_1097_ = _e991;
                                                 }
-                                                let _e995 = phi_1095_;
-                                                phi_1100_ = (_e897 | ((_e988 >> bitcast<u32>(5i)) << bitcast<u32>((_e995 & 31u))));
+                                                let _e997 = phi_1097_;
+                                                phi_1102_ = (_e899 | ((_e990 >> bitcast<u32>(5i)) << bitcast<u32>((_e997 & 31u))));
                                             } else {
-                                                phi_1100_ = _e897;
+                                                phi_1102_ = _e899;
                                             }
-                                            let _e1003 = phi_1100_;
-                                            phi_1101_ = _e1003;
+                                            let _e1005 = phi_1102_;
+                                            phi_1103_ = _e1005;
                                         } else {
-                                            phi_1101_ = _e897;
+                                            phi_1103_ = _e899;
                                         }
-                                        let _e1005 = phi_1101_;
-                                        phi_1102_ = _e1005;
+                                        let _e1007 = phi_1103_;
+                                        phi_1104_ = _e1007;
                                     } else {
-                                        phi_1102_ = _e897;
+                                        phi_1104_ = _e899;
                                     }
-                                    let _e1007 = phi_1102_;
-                                    phi_972_ = (_e895 + 1u);
-                                    phi_975_ = _e1007;
+                                    let _e1009 = phi_1104_;
+                                    phi_974_ = (_e897 + 1u);
+                                    phi_977_ = _e1009;
                                 } else {
-                                    phi_972_ = u32();
-                                    phi_975_ = u32();
+                                    phi_974_ = u32();
+                                    phi_977_ = u32();
                                 }
-                                let _e1010 = phi_972_;
-                                let _e1012 = phi_975_;
+                                let _e1012 = phi_974_;
+                                let _e1014 = phi_977_;
                                 continue;
                                 continuing {
-                                    phi_971_ = _e1010;
-                                    phi_974_ = _e1012;
-                                    break if !(_e898);
+                                    phi_973_ = _e1012;
+                                    phi_976_ = _e1014;
+                                    break if !(_e900);
                                 }
                             }
-                            let _e1016 = nodes.member[(0u + _e628)].links[0u];
-                            let _e1020 = nodes.member[(0u + _e628)].frame[3u];
-                            let _e1024 = local_2;
-                            if ((_e1024 & 4278190080u) == 0u) {
+                            let _e1018 = nodes.member[(0u + _e628)].links[0u];
+                            let _e1022 = nodes.member[(0u + _e628)].frame[3u];
+                            let _e1026 = local_2;
+                            if ((_e1026 & 4278190080u) == 0u) {
                             } else {
-                                let _e1028 = local.group_mask;
-                                if ((_e1028 & 4278190080u) == 0u) {
+                                let _e1030 = local.group_mask;
+                                if ((_e1030 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e1032 = local.len;
-                                    if (_e1032 < 32u) {
-                                        let _e1035 = local.group;
-                                        let _e1037 = local.len;
-                                        if (_e1037 < 32u) {
+                                    let _e1034 = local.len;
+                                    if (_e1034 < 32u) {
+                                        let _e1037 = local.group;
+                                        let _e1039 = local.len;
+                                        if (_e1039 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local.first[(0u + _e1037)] = _e1035;
-                                        let _e1043 = local.group_mask;
-                                        let _e1045 = local.len;
-                                        if (_e1045 < 32u) {
+                                        local.first[(0u + _e1039)] = _e1037;
+                                        let _e1045 = local.group_mask;
+                                        let _e1047 = local.len;
+                                        if (_e1047 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local.mask[(0u + _e1045)] = _e1043;
-                                        let _e1052 = local.len;
-                                        local.len = (_e1052 + 1u);
+                                        local.mask[(0u + _e1047)] = _e1045;
+                                        let _e1054 = local.len;
+                                        local.len = (_e1054 + 1u);
                                     }
                                 }
-                                local.group = (0u + _e1016);
-                                let _e1056 = local_3;
-                                local.group_mask = ((_e1056 & 4278190080u) | (_e1020 >> bitcast<u32>(24i)));
+                                local.group = (0u + _e1018);
+                                let _e1058 = local_3;
+                                local.group_mask = ((_e1058 & 4278190080u) | (_e1022 >> bitcast<u32>(24i)));
                             }
-                            let _e1061 = local_4;
-                            phi_1160_ = (_e1061 & 16777215u);
+                            let _e1063 = local_4;
+                            phi_1162_ = (_e1063 & 16777215u);
+                            phi_1165_ = _e630;
                             loop {
-                                let _e1064 = phi_1160_;
-                                let _e1065 = (_e1064 == 0u);
-                                local_5 = _e1065;
-                                local_9 = _e1065;
-                                if _e1065 {
-                                    phi_1161_ = u32();
-                                    phi_1771_ = false;
-                                    phi_1772_ = false;
-                                    phi_1773_ = false;
+                                let _e1066 = phi_1162_;
+                                let _e1068 = phi_1165_;
+                                local_7 = _e1068;
+                                let _e1069 = (_e1066 == 0u);
+                                local_5 = _e1069;
+                                local_8 = _e1069;
+                                if _e1069 {
+                                    phi_1163_ = u32();
+                                    phi_1166_ = bool();
+                                    phi_1763_ = false;
                                 } else {
-                                    let _e1068 = nodes.member[(0u + _e628)].links[1u];
-                                    let _e1073 = ((0u + _e1068) + select(firstTrailingBit(_e1064), 32u, (_e1064 == 0u)));
-                                    if (_e1073 < arrayLength((&triangles.member))) {
+                                    let _e1072 = nodes.member[(0u + _e628)].links[1u];
+                                    let _e1077 = ((0u + _e1072) + select(firstTrailingBit(_e1066), 32u, (_e1066 == 0u)));
+                                    if (_e1077 < arrayLength((&triangles.member))) {
                                     } else {
                                         return;
                                     }
-                                    let _e1080 = triangles.member[(0u + _e1073)].v0_;
-                                    let _e1082 = (_e1080.x - _e233);
-                                    let _e1084 = (_e1080.y - _e235);
-                                    let _e1086 = (_e1080.z - _e237);
+                                    let _e1084 = triangles.member[(0u + _e1077)].v0_;
+                                    let _e1086 = (_e1084.x - _e233);
+                                    let _e1088 = (_e1084.y - _e235);
+                                    let _e1090 = (_e1084.z - _e237);
                                     if (_e463 == 0u) {
-                                        phi_1206_ = vec3<f32>(_e1084, _e1086, _e1082);
+                                        phi_1210_ = vec3<f32>(_e1088, _e1090, _e1086);
                                     } else {
                                         if (_e463 == 1u) {
-                                            phi_1205_ = vec3<f32>(_e1086, _e1082, _e1084);
+                                            phi_1209_ = vec3<f32>(_e1090, _e1086, _e1088);
                                         } else {
-                                            phi_1205_ = (_e1080 - vec3<f32>(_e233, _e235, _e237));
+                                            phi_1209_ = (_e1084 - vec3<f32>(_e233, _e235, _e237));
                                         }
-                                        let _e1094 = phi_1205_;
-                                        phi_1206_ = _e1094;
+                                        let _e1098 = phi_1209_;
+                                        phi_1210_ = _e1098;
                                     }
-                                    let _e1096 = phi_1206_;
-                                    let _e1100 = (_e1096.x - (_e474 * _e1096.z));
-                                    let _e1104 = (_e1096.y - (_e477 * _e1096.z));
-                                    let _e1106 = triangles.member[(0u + _e1073)].v1_;
-                                    let _e1108 = (_e1106.x - _e233);
-                                    let _e1110 = (_e1106.y - _e235);
-                                    let _e1112 = (_e1106.z - _e237);
+                                    let _e1100 = phi_1210_;
+                                    let _e1104 = (_e1100.x - (_e474 * _e1100.z));
+                                    let _e1108 = (_e1100.y - (_e477 * _e1100.z));
+                                    let _e1110 = triangles.member[(0u + _e1077)].v1_;
+                                    let _e1112 = (_e1110.x - _e233);
+                                    let _e1114 = (_e1110.y - _e235);
+                                    let _e1116 = (_e1110.z - _e237);
                                     if (_e463 == 0u) {
-                                        phi_1236_ = vec3<f32>(_e1110, _e1112, _e1108);
+                                        phi_1240_ = vec3<f32>(_e1114, _e1116, _e1112);
                                     } else {
                                         if (_e463 == 1u) {
-                                            phi_1235_ = vec3<f32>(_e1112, _e1108, _e1110);
+                                            phi_1239_ = vec3<f32>(_e1116, _e1112, _e1114);
                                         } else {
-                                            phi_1235_ = (_e1106 - vec3<f32>(_e233, _e235, _e237));
+                                            phi_1239_ = (_e1110 - vec3<f32>(_e233, _e235, _e237));
                                         }
-                                        let _e1120 = phi_1235_;
-                                        phi_1236_ = _e1120;
+                                        let _e1124 = phi_1239_;
+                                        phi_1240_ = _e1124;
                                     }
-                                    let _e1122 = phi_1236_;
-                                    let _e1126 = (_e1122.x - (_e474 * _e1122.z));
-                                    let _e1130 = (_e1122.y - (_e477 * _e1122.z));
-                                    let _e1132 = triangles.member[(0u + _e1073)].v2_;
-                                    let _e1134 = (_e1132.x - _e233);
-                                    let _e1136 = (_e1132.y - _e235);
-                                    let _e1138 = (_e1132.z - _e237);
+                                    let _e1126 = phi_1240_;
+                                    let _e1130 = (_e1126.x - (_e474 * _e1126.z));
+                                    let _e1134 = (_e1126.y - (_e477 * _e1126.z));
+                                    let _e1136 = triangles.member[(0u + _e1077)].v2_;
+                                    let _e1138 = (_e1136.x - _e233);
+                                    let _e1140 = (_e1136.y - _e235);
+                                    let _e1142 = (_e1136.z - _e237);
                                     if (_e463 == 0u) {
-                                        phi_1266_ = vec3<f32>(_e1136, _e1138, _e1134);
+                                        phi_1270_ = vec3<f32>(_e1140, _e1142, _e1138);
                                     } else {
                                         if (_e463 == 1u) {
-                                            phi_1265_ = vec3<f32>(_e1138, _e1134, _e1136);
+                                            phi_1269_ = vec3<f32>(_e1142, _e1138, _e1140);
                                         } else {
-                                            phi_1265_ = (_e1132 - vec3<f32>(_e233, _e235, _e237));
+                                            phi_1269_ = (_e1136 - vec3<f32>(_e233, _e235, _e237));
                                         }
-                                        let _e1146 = phi_1265_;
-                                        phi_1266_ = _e1146;
+                                        let _e1150 = phi_1269_;
+                                        phi_1270_ = _e1150;
                                     }
-                                    let _e1148 = phi_1266_;
-                                    let _e1152 = (_e1148.x - (_e474 * _e1148.z));
-                                    let _e1156 = (_e1148.y - (_e477 * _e1148.z));
-                                    if (_e1126 < _e1152) {
-                                        phi_1285_ = true;
+                                    let _e1152 = phi_1270_;
+                                    let _e1156 = (_e1152.x - (_e474 * _e1152.z));
+                                    let _e1160 = (_e1152.y - (_e477 * _e1152.z));
+                                    if (_e1130 < _e1156) {
+                                        phi_1289_ = true;
                                     } else {
-                                        if (_e1126 == _e1152) {
-                                            phi_1284_ = (_e1130 < _e1156);
+                                        if (_e1130 == _e1156) {
+                                            phi_1288_ = (_e1134 < _e1160);
                                         } else {
-                                            phi_1284_ = false;
+                                            phi_1288_ = false;
                                         }
-                                        let _e1161 = phi_1284_;
-                                        phi_1285_ = _e1161;
+                                        let _e1165 = phi_1288_;
+                                        phi_1289_ = _e1165;
                                     }
-                                    let _e1163 = phi_1285_;
-                                    if _e1163 {
-                                        phi_1289_ = _e1156;
-                                        phi_1290_ = _e1152;
-                                        phi_1291_ = _e1130;
-                                        phi_1292_ = _e1126;
+                                    let _e1167 = phi_1289_;
+                                    if _e1167 {
+                                        phi_1293_ = _e1160;
+                                        phi_1294_ = _e1156;
+                                        phi_1295_ = _e1134;
+                                        phi_1296_ = _e1130;
                                     } else {
-                                        phi_1289_ = _e1130;
-                                        phi_1290_ = _e1126;
-                                        phi_1291_ = _e1156;
-                                        phi_1292_ = _e1152;
+                                        phi_1293_ = _e1134;
+                                        phi_1294_ = _e1130;
+                                        phi_1295_ = _e1160;
+                                        phi_1296_ = _e1156;
                                     }
-                                    let _e1165 = phi_1289_;
-                                    let _e1167 = phi_1290_;
-                                    let _e1169 = phi_1291_;
-                                    let _e1171 = phi_1292_;
-                                    let _e1174 = ((_e1171 * _e1165) - (_e1169 * _e1167));
-                                    if _e1163 {
-                                        phi_1300_ = -(_e1174);
+                                    let _e1169 = phi_1293_;
+                                    let _e1171 = phi_1294_;
+                                    let _e1173 = phi_1295_;
+                                    let _e1175 = phi_1296_;
+                                    let _e1178 = ((_e1175 * _e1169) - (_e1173 * _e1171));
+                                    if _e1167 {
+                                        phi_1304_ = -(_e1178);
                                     } else {
-                                        phi_1300_ = _e1174;
+                                        phi_1304_ = _e1178;
                                     }
-                                    let _e1177 = phi_1300_;
-                                    if (_e1152 < _e1100) {
-                                        phi_1311_ = true;
+                                    let _e1181 = phi_1304_;
+                                    if (_e1156 < _e1104) {
+                                        phi_1315_ = true;
                                     } else {
-                                        if (_e1152 == _e1100) {
-                                            phi_1310_ = (_e1156 < _e1104);
+                                        if (_e1156 == _e1104) {
+                                            phi_1314_ = (_e1160 < _e1108);
                                         } else {
-                                            phi_1310_ = false;
+                                            phi_1314_ = false;
                                         }
-                                        let _e1182 = phi_1310_;
-                                        phi_1311_ = _e1182;
+                                        let _e1186 = phi_1314_;
+                                        phi_1315_ = _e1186;
                                     }
-                                    let _e1184 = phi_1311_;
-                                    if _e1184 {
-                                        phi_1315_ = _e1104;
-                                        phi_1316_ = _e1100;
-                                        phi_1317_ = _e1156;
-                                        phi_1318_ = _e1152;
+                                    let _e1188 = phi_1315_;
+                                    if _e1188 {
+                                        phi_1319_ = _e1108;
+                                        phi_1320_ = _e1104;
+                                        phi_1321_ = _e1160;
+                                        phi_1322_ = _e1156;
                                     } else {
-                                        phi_1315_ = _e1156;
-                                        phi_1316_ = _e1152;
-                                        phi_1317_ = _e1104;
-                                        phi_1318_ = _e1100;
+                                        phi_1319_ = _e1160;
+                                        phi_1320_ = _e1156;
+                                        phi_1321_ = _e1108;
+                                        phi_1322_ = _e1104;
                                     }
-                                    let _e1186 = phi_1315_;
-                                    let _e1188 = phi_1316_;
-                                    let _e1190 = phi_1317_;
-                                    let _e1192 = phi_1318_;
-                                    let _e1195 = ((_e1192 * _e1186) - (_e1190 * _e1188));
-                                    if _e1184 {
-                                        phi_1326_ = -(_e1195);
+                                    let _e1190 = phi_1319_;
+                                    let _e1192 = phi_1320_;
+                                    let _e1194 = phi_1321_;
+                                    let _e1196 = phi_1322_;
+                                    let _e1199 = ((_e1196 * _e1190) - (_e1194 * _e1192));
+                                    if _e1188 {
+                                        phi_1330_ = -(_e1199);
                                     } else {
-                                        phi_1326_ = _e1195;
+                                        phi_1330_ = _e1199;
                                     }
-                                    let _e1198 = phi_1326_;
-                                    if (_e1100 < _e1126) {
-                                        phi_1337_ = true;
+                                    let _e1202 = phi_1330_;
+                                    if (_e1104 < _e1130) {
+                                        phi_1341_ = true;
                                     } else {
-                                        if (_e1100 == _e1126) {
-                                            phi_1336_ = (_e1104 < _e1130);
+                                        if (_e1104 == _e1130) {
+                                            phi_1340_ = (_e1108 < _e1134);
                                         } else {
-                                            phi_1336_ = false;
+                                            phi_1340_ = false;
                                         }
-                                        let _e1203 = phi_1336_;
-                                        phi_1337_ = _e1203;
+                                        let _e1207 = phi_1340_;
+                                        phi_1341_ = _e1207;
                                     }
-                                    let _e1205 = phi_1337_;
-                                    if _e1205 {
-                                        phi_1341_ = _e1130;
-                                        phi_1342_ = _e1126;
-                                        phi_1343_ = _e1104;
-                                        phi_1344_ = _e1100;
+                                    let _e1209 = phi_1341_;
+                                    if _e1209 {
+                                        phi_1345_ = _e1134;
+                                        phi_1346_ = _e1130;
+                                        phi_1347_ = _e1108;
+                                        phi_1348_ = _e1104;
                                     } else {
-                                        phi_1341_ = _e1104;
-                                        phi_1342_ = _e1100;
-                                        phi_1343_ = _e1130;
-                                        phi_1344_ = _e1126;
+                                        phi_1345_ = _e1108;
+                                        phi_1346_ = _e1104;
+                                        phi_1347_ = _e1134;
+                                        phi_1348_ = _e1130;
                                     }
-                                    let _e1207 = phi_1341_;
-                                    let _e1209 = phi_1342_;
-                                    let _e1211 = phi_1343_;
-                                    let _e1213 = phi_1344_;
-                                    let _e1216 = ((_e1213 * _e1207) - (_e1211 * _e1209));
-                                    if _e1205 {
-                                        phi_1352_ = -(_e1216);
+                                    let _e1211 = phi_1345_;
+                                    let _e1213 = phi_1346_;
+                                    let _e1215 = phi_1347_;
+                                    let _e1217 = phi_1348_;
+                                    let _e1220 = ((_e1217 * _e1211) - (_e1215 * _e1213));
+                                    if _e1209 {
+                                        phi_1356_ = -(_e1220);
                                     } else {
-                                        phi_1352_ = _e1216;
+                                        phi_1356_ = _e1220;
                                     }
-                                    let _e1219 = phi_1352_;
-                                    if (_e1177 >= 0f) {
-                                        if (_e1198 >= 0f) {
-                                            if (_e1219 >= 0f) {
-                                                phi_1367_ = ((_e1177 + _e1198) + _e1219);
-                                                phi_1368_ = false;
+                                    let _e1223 = phi_1356_;
+                                    if (_e1181 >= 0f) {
+                                        if (_e1202 >= 0f) {
+                                            if (_e1223 >= 0f) {
+                                                phi_1371_ = ((_e1181 + _e1202) + _e1223);
+                                                phi_1372_ = false;
                                             } else {
-                                                phi_1367_ = f32();
-                                                phi_1368_ = true;
+                                                phi_1371_ = f32();
+                                                phi_1372_ = true;
                                             }
-                                            let _e1226 = phi_1367_;
-                                            let _e1228 = phi_1368_;
-                                            phi_1369_ = _e1226;
-                                            phi_1370_ = _e1228;
+                                            let _e1230 = phi_1371_;
+                                            let _e1232 = phi_1372_;
+                                            phi_1373_ = _e1230;
+                                            phi_1374_ = _e1232;
                                         } else {
-                                            phi_1369_ = f32();
-                                            phi_1370_ = true;
+                                            phi_1373_ = f32();
+                                            phi_1374_ = true;
                                         }
-                                        let _e1230 = phi_1369_;
-                                        let _e1232 = phi_1370_;
-                                        phi_1371_ = _e1230;
-                                        phi_1372_ = _e1232;
+                                        let _e1234 = phi_1373_;
+                                        let _e1236 = phi_1374_;
+                                        phi_1375_ = _e1234;
+                                        phi_1376_ = _e1236;
                                     } else {
-                                        phi_1371_ = f32();
-                                        phi_1372_ = true;
+                                        phi_1375_ = f32();
+                                        phi_1376_ = true;
                                     }
-                                    let _e1234 = phi_1371_;
-                                    let _e1236 = phi_1372_;
-                                    if _e1236 {
-                                        if (_e1177 <= 0f) {
-                                            if (_e1198 <= 0f) {
-                                                let _e1239 = (_e1219 <= 0f);
-                                                if _e1239 {
+                                    let _e1238 = phi_1375_;
+                                    let _e1240 = phi_1376_;
+                                    if _e1240 {
+                                        if (_e1181 <= 0f) {
+                                            if (_e1202 <= 0f) {
+                                                let _e1243 = (_e1223 <= 0f);
+                                                if _e1243 {
                                                 }
-                                                phi_1390_ = ((_e1177 + _e1198) + _e1219);
-                                                phi_1391_ = false;
-                                                phi_1392_ = _e1239;
+                                                phi_1394_ = ((_e1181 + _e1202) + _e1223);
+                                                phi_1395_ = false;
+                                                phi_1396_ = _e1243;
                                             } else {
-                                                phi_1390_ = f32();
-                                                phi_1391_ = true;
-                                                phi_1392_ = false;
+                                                phi_1394_ = f32();
+                                                phi_1395_ = true;
+                                                phi_1396_ = false;
                                             }
-                                            let _e1243 = phi_1390_;
-                                            let _e1245 = phi_1391_;
-                                            let _e1247 = phi_1392_;
-                                            phi_1393_ = _e1243;
-                                            phi_1394_ = _e1245;
-                                            phi_1395_ = _e1247;
+                                            let _e1247 = phi_1394_;
+                                            let _e1249 = phi_1395_;
+                                            let _e1251 = phi_1396_;
+                                            phi_1397_ = _e1247;
+                                            phi_1398_ = _e1249;
+                                            phi_1399_ = _e1251;
                                         } else {
-                                            phi_1393_ = f32();
-                                            phi_1394_ = true;
-                                            phi_1395_ = false;
-                                        }
-                                        let _e1249 = phi_1393_;
-                                        let _e1251 = phi_1394_;
-                                        let _e1253 = phi_1395_;
-                                        if _e1251 {
+                                            phi_1397_ = f32();
+                                            phi_1398_ = true;
                                             phi_1399_ = false;
-                                        } else {
-                                            phi_1399_ = _e1253;
                                         }
-                                        let _e1255 = phi_1399_;
-                                        phi_1400_ = _e1249;
-                                        phi_1401_ = _e1255;
-                                    } else {
-                                        phi_1400_ = _e1234;
-                                        phi_1401_ = true;
-                                    }
-                                    let _e1257 = phi_1400_;
-                                    let _e1259 = phi_1401_;
-                                    if _e1259 {
-                                        let _e1260 = (_e1257 == 0f);
-                                        if _e1260 {
-                                            phi_1717_ = lt_bvh_triangle_Intersection();
-                                            phi_1718_ = false;
+                                        let _e1253 = phi_1397_;
+                                        let _e1255 = phi_1398_;
+                                        let _e1257 = phi_1399_;
+                                        if _e1255 {
+                                            phi_1403_ = false;
                                         } else {
-                                            let _e1262 = triangles.member[(0u + _e1073)].v0_;
-                                            let _e1264 = (_e1262.x - _e233);
-                                            let _e1266 = (_e1262.y - _e235);
-                                            let _e1268 = (_e1262.z - _e237);
-                                            if (_e463 == 0u) {
-                                                phi_1430_ = vec3<f32>(_e1266, _e1268, _e1264);
-                                            } else {
-                                                if (_e463 == 1u) {
-                                                    phi_1429_ = vec3<f32>(_e1268, _e1264, _e1266);
-                                                } else {
-                                                    phi_1429_ = (_e1262 - vec3<f32>(_e233, _e235, _e237));
-                                                }
-                                                let _e1276 = phi_1429_;
-                                                phi_1430_ = _e1276;
-                                            }
-                                            let _e1278 = phi_1430_;
-                                            let _e1280 = triangles.member[(0u + _e1073)].v1_;
-                                            let _e1282 = triangles.member[(0u + _e1073)].v0_;
-                                            let _e1285 = (_e1280.x - _e1282.x);
-                                            let _e1288 = (_e1280.y - _e1282.y);
-                                            let _e1291 = (_e1280.z - _e1282.z);
-                                            if (_e463 == 0u) {
-                                                phi_1456_ = vec3<f32>(_e1288, _e1291, _e1285);
-                                            } else {
-                                                if (_e463 == 1u) {
-                                                    phi_1455_ = vec3<f32>(_e1291, _e1285, _e1288);
-                                                } else {
-                                                    phi_1455_ = (_e1280 - _e1282);
-                                                }
-                                                let _e1298 = phi_1455_;
-                                                phi_1456_ = _e1298;
-                                            }
-                                            let _e1300 = phi_1456_;
-                                            let _e1302 = triangles.member[(0u + _e1073)].v2_;
-                                            let _e1304 = triangles.member[(0u + _e1073)].v0_;
-                                            let _e1307 = (_e1302.x - _e1304.x);
-                                            let _e1310 = (_e1302.y - _e1304.y);
-                                            let _e1313 = (_e1302.z - _e1304.z);
-                                            if (_e463 == 0u) {
-                                                phi_1482_ = vec3<f32>(_e1310, _e1313, _e1307);
-                                            } else {
-                                                if (_e463 == 1u) {
-                                                    phi_1481_ = vec3<f32>(_e1313, _e1307, _e1310);
-                                                } else {
-                                                    phi_1481_ = (_e1302 - _e1304);
-                                                }
-                                                let _e1320 = phi_1481_;
-                                                phi_1482_ = _e1320;
-                                            }
-                                            let _e1322 = phi_1482_;
-                                            let _e1329 = ((_e1300.y * _e1322.z) - (_e1300.z * _e1322.y));
-                                            let _e1336 = ((_e1300.z * _e1322.x) - (_e1300.x * _e1322.z));
-                                            let _e1343 = ((_e1300.x * _e1322.y) - (_e1300.y * _e1322.x));
-                                            let _e1357 = (((1f / _e471.z) * (((_e1329 * _e1278.x) + (_e1336 * _e1278.y)) + (_e1343 * _e1278.z))) / (((_e1329 * _e474) + (_e1336 * _e477)) + _e1343));
-                                            if (_e1357 > 0f) {
-                                                if (_e1357 < _e243) {
-                                                    let _e1361 = triangles.member[(0u + _e1073)].v0_;
-                                                    let _e1363 = triangles.member[(0u + _e1073)].v1_;
-                                                    if (_e1361.x < _e1363.x) {
-                                                        phi_1538_ = _e1361.x;
-                                                    } else {
-                                                        phi_1538_ = _e1363.x;
-                                                    }
-                                                    let _e1370 = phi_1538_;
-                                                    if (_e1361.y < _e1363.y) {
-                                                        phi_1547_ = _e1361.y;
-                                                    } else {
-                                                        phi_1547_ = _e1363.y;
-                                                    }
-                                                    let _e1377 = phi_1547_;
-                                                    if (_e1361.z < _e1363.z) {
-                                                        phi_1556_ = _e1361.z;
-                                                    } else {
-                                                        phi_1556_ = _e1363.z;
-                                                    }
-                                                    let _e1384 = phi_1556_;
-                                                    let _e1386 = triangles.member[(0u + _e1073)].v2_;
-                                                    if (_e1370 < _e1386.x) {
-                                                        phi_1565_ = _e1370;
-                                                    } else {
-                                                        phi_1565_ = _e1386.x;
-                                                    }
-                                                    let _e1391 = phi_1565_;
-                                                    if (_e1377 < _e1386.y) {
-                                                        phi_1572_ = _e1377;
-                                                    } else {
-                                                        phi_1572_ = _e1386.y;
-                                                    }
-                                                    let _e1396 = phi_1572_;
-                                                    if (_e1384 < _e1386.z) {
-                                                        phi_1579_ = _e1384;
-                                                    } else {
-                                                        phi_1579_ = _e1386.z;
-                                                    }
-                                                    let _e1401 = phi_1579_;
-                                                    let _e1403 = triangles.member[(0u + _e1073)].v0_;
-                                                    let _e1405 = triangles.member[(0u + _e1073)].v1_;
-                                                    if (_e1403.x > _e1405.x) {
-                                                        phi_1592_ = _e1403.x;
-                                                    } else {
-                                                        phi_1592_ = _e1405.x;
-                                                    }
-                                                    let _e1412 = phi_1592_;
-                                                    if (_e1403.y > _e1405.y) {
-                                                        phi_1601_ = _e1403.y;
-                                                    } else {
-                                                        phi_1601_ = _e1405.y;
-                                                    }
-                                                    let _e1419 = phi_1601_;
-                                                    if (_e1403.z > _e1405.z) {
-                                                        phi_1610_ = _e1403.z;
-                                                    } else {
-                                                        phi_1610_ = _e1405.z;
-                                                    }
-                                                    let _e1426 = phi_1610_;
-                                                    let _e1428 = triangles.member[(0u + _e1073)].v2_;
-                                                    if (_e1412 > _e1428.x) {
-                                                        phi_1619_ = _e1412;
-                                                    } else {
-                                                        phi_1619_ = _e1428.x;
-                                                    }
-                                                    let _e1433 = phi_1619_;
-                                                    if (_e1419 > _e1428.y) {
-                                                        phi_1626_ = _e1419;
-                                                    } else {
-                                                        phi_1626_ = _e1428.y;
-                                                    }
-                                                    let _e1438 = phi_1626_;
-                                                    if (_e1426 > _e1428.z) {
-                                                        phi_1633_ = _e1426;
-                                                    } else {
-                                                        phi_1633_ = _e1428.z;
-                                                    }
-                                                    let _e1443 = phi_1633_;
-                                                    let _e1447 = ((_e1391 - _e233) * _e392);
-                                                    let _e1448 = ((_e1396 - _e235) * _e402);
-                                                    let _e1449 = ((_e1401 - _e237) * _e412);
-                                                    let _e1453 = ((_e1433 - _e233) * _e392);
-                                                    let _e1454 = ((_e1438 - _e235) * _e402);
-                                                    let _e1455 = ((_e1443 - _e237) * _e412);
-                                                    if (_e1447 < _e1453) {
-                                                        phi_1650_ = _e1447;
-                                                    } else {
-                                                        phi_1650_ = _e1453;
-                                                    }
-                                                    let _e1458 = phi_1650_;
-                                                    if (_e1448 < _e1454) {
-                                                        phi_1655_ = _e1448;
-                                                    } else {
-                                                        phi_1655_ = _e1454;
-                                                    }
-                                                    let _e1461 = phi_1655_;
-                                                    if (_e1449 < _e1455) {
-                                                        phi_1660_ = _e1449;
-                                                    } else {
-                                                        phi_1660_ = _e1455;
-                                                    }
-                                                    let _e1464 = phi_1660_;
-                                                    if (_e1447 > _e1453) {
-                                                        phi_1668_ = _e1447;
-                                                    } else {
-                                                        phi_1668_ = _e1453;
-                                                    }
-                                                    let _e1470 = phi_1668_;
-                                                    if (_e1448 > _e1454) {
-                                                        phi_1673_ = _e1448;
-                                                    } else {
-                                                        phi_1673_ = _e1454;
-                                                    }
-                                                    let _e1473 = phi_1673_;
-                                                    if (_e1449 > _e1455) {
-                                                        phi_1678_ = _e1449;
-                                                    } else {
-                                                        phi_1678_ = _e1455;
-                                                    }
-                                                    let _e1476 = phi_1678_;
-                                                    let _e1480 = core_intrinsics_maximum_number_nsz_f32_((_e1458 - _e447), (_e1461 - _e448));
-                                                    let _e1481 = core_intrinsics_maximum_number_nsz_f32_(_e1480, (_e1464 - _e449));
-                                                    let _e1482 = core_intrinsics_minimum_number_nsz_f32_((_e1470 + _e447), (_e1473 + _e448));
-                                                    let _e1483 = core_intrinsics_minimum_number_nsz_f32_(_e1482, (_e1476 + _e449));
-                                                    if (_e1481 > -300000000000000000000000000000000000000f) {
-                                                        phi_1690_ = _e1481;
-                                                    } else {
-                                                        phi_1690_ = -300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1486 = phi_1690_;
-                                                    if (_e1483 < 300000000000000000000000000000000000000f) {
-                                                        phi_1695_ = _e1483;
-                                                    } else {
-                                                        phi_1695_ = 300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1489 = phi_1695_;
-                                                    if (_e1357 < _e1486) {
-                                                        phi_1700_ = _e1486;
-                                                    } else {
-                                                        phi_1700_ = _e1357;
-                                                    }
-                                                    let _e1492 = phi_1700_;
-                                                    if (_e1492 > _e1489) {
-                                                        phi_1705_ = _e1489;
-                                                    } else {
-                                                        phi_1705_ = _e1492;
-                                                    }
-                                                    let _e1495 = phi_1705_;
-                                                    phi_1710_ = lt_bvh_triangle_Intersection(_e1495, (_e1198 / _e1257), (_e1219 / _e1257), (_e1486 <= _e1489));
-                                                    phi_1711_ = false;
-                                                } else {
-                                                    phi_1710_ = lt_bvh_triangle_Intersection();
-                                                    phi_1711_ = true;
-                                                }
-                                                let _e1501 = phi_1710_;
-                                                let _e1503 = phi_1711_;
-                                                phi_1712_ = _e1501;
-                                                phi_1713_ = _e1503;
-                                            } else {
-                                                phi_1712_ = lt_bvh_triangle_Intersection();
-                                                phi_1713_ = true;
-                                            }
-                                            let _e1505 = phi_1712_;
-                                            let _e1507 = phi_1713_;
-                                            if _e1507 {
-                                            }
-                                            phi_1717_ = _e1505;
-                                            phi_1718_ = _e1507;
+                                            phi_1403_ = _e1257;
                                         }
-                                        let _e1509 = phi_1717_;
-                                        let _e1511 = phi_1718_;
-                                        phi_1719_ = _e1509;
-                                        phi_1720_ = _e1260;
-                                        phi_1721_ = _e1511;
+                                        let _e1259 = phi_1403_;
+                                        phi_1404_ = _e1253;
+                                        phi_1405_ = _e1259;
                                     } else {
-                                        phi_1719_ = lt_bvh_triangle_Intersection();
-                                        phi_1720_ = true;
-                                        phi_1721_ = false;
+                                        phi_1404_ = _e1238;
+                                        phi_1405_ = true;
                                     }
-                                    let _e1513 = phi_1719_;
-                                    let _e1515 = phi_1720_;
-                                    let _e1517 = phi_1721_;
-                                    if _e1515 {
-                                        phi_1725_ = true;
+                                    let _e1261 = phi_1404_;
+                                    let _e1263 = phi_1405_;
+                                    if _e1263 {
+                                        let _e1264 = (_e1261 == 0f);
+                                        if _e1264 {
+                                            phi_1721_ = lt_bvh_triangle_Intersection();
+                                            phi_1722_ = false;
+                                        } else {
+                                            let _e1266 = triangles.member[(0u + _e1077)].v0_;
+                                            let _e1268 = (_e1266.x - _e233);
+                                            let _e1270 = (_e1266.y - _e235);
+                                            let _e1272 = (_e1266.z - _e237);
+                                            if (_e463 == 0u) {
+                                                phi_1434_ = vec3<f32>(_e1270, _e1272, _e1268);
+                                            } else {
+                                                if (_e463 == 1u) {
+                                                    phi_1433_ = vec3<f32>(_e1272, _e1268, _e1270);
+                                                } else {
+                                                    phi_1433_ = (_e1266 - vec3<f32>(_e233, _e235, _e237));
+                                                }
+                                                let _e1280 = phi_1433_;
+                                                phi_1434_ = _e1280;
+                                            }
+                                            let _e1282 = phi_1434_;
+                                            let _e1284 = triangles.member[(0u + _e1077)].v1_;
+                                            let _e1286 = triangles.member[(0u + _e1077)].v0_;
+                                            let _e1289 = (_e1284.x - _e1286.x);
+                                            let _e1292 = (_e1284.y - _e1286.y);
+                                            let _e1295 = (_e1284.z - _e1286.z);
+                                            if (_e463 == 0u) {
+                                                phi_1460_ = vec3<f32>(_e1292, _e1295, _e1289);
+                                            } else {
+                                                if (_e463 == 1u) {
+                                                    phi_1459_ = vec3<f32>(_e1295, _e1289, _e1292);
+                                                } else {
+                                                    phi_1459_ = (_e1284 - _e1286);
+                                                }
+                                                let _e1302 = phi_1459_;
+                                                phi_1460_ = _e1302;
+                                            }
+                                            let _e1304 = phi_1460_;
+                                            let _e1306 = triangles.member[(0u + _e1077)].v2_;
+                                            let _e1308 = triangles.member[(0u + _e1077)].v0_;
+                                            let _e1311 = (_e1306.x - _e1308.x);
+                                            let _e1314 = (_e1306.y - _e1308.y);
+                                            let _e1317 = (_e1306.z - _e1308.z);
+                                            if (_e463 == 0u) {
+                                                phi_1486_ = vec3<f32>(_e1314, _e1317, _e1311);
+                                            } else {
+                                                if (_e463 == 1u) {
+                                                    phi_1485_ = vec3<f32>(_e1317, _e1311, _e1314);
+                                                } else {
+                                                    phi_1485_ = (_e1306 - _e1308);
+                                                }
+                                                let _e1324 = phi_1485_;
+                                                phi_1486_ = _e1324;
+                                            }
+                                            let _e1326 = phi_1486_;
+                                            let _e1333 = ((_e1304.y * _e1326.z) - (_e1304.z * _e1326.y));
+                                            let _e1340 = ((_e1304.z * _e1326.x) - (_e1304.x * _e1326.z));
+                                            let _e1347 = ((_e1304.x * _e1326.y) - (_e1304.y * _e1326.x));
+                                            let _e1361 = (((1f / _e471.z) * (((_e1333 * _e1282.x) + (_e1340 * _e1282.y)) + (_e1347 * _e1282.z))) / (((_e1333 * _e474) + (_e1340 * _e477)) + _e1347));
+                                            if (_e1361 > 0f) {
+                                                if (_e1361 < _e243) {
+                                                    let _e1365 = triangles.member[(0u + _e1077)].v0_;
+                                                    let _e1367 = triangles.member[(0u + _e1077)].v1_;
+                                                    if (_e1365.x < _e1367.x) {
+                                                        phi_1542_ = _e1365.x;
+                                                    } else {
+                                                        phi_1542_ = _e1367.x;
+                                                    }
+                                                    let _e1374 = phi_1542_;
+                                                    if (_e1365.y < _e1367.y) {
+                                                        phi_1551_ = _e1365.y;
+                                                    } else {
+                                                        phi_1551_ = _e1367.y;
+                                                    }
+                                                    let _e1381 = phi_1551_;
+                                                    if (_e1365.z < _e1367.z) {
+                                                        phi_1560_ = _e1365.z;
+                                                    } else {
+                                                        phi_1560_ = _e1367.z;
+                                                    }
+                                                    let _e1388 = phi_1560_;
+                                                    let _e1390 = triangles.member[(0u + _e1077)].v2_;
+                                                    if (_e1374 < _e1390.x) {
+                                                        phi_1569_ = _e1374;
+                                                    } else {
+                                                        phi_1569_ = _e1390.x;
+                                                    }
+                                                    let _e1395 = phi_1569_;
+                                                    if (_e1381 < _e1390.y) {
+                                                        phi_1576_ = _e1381;
+                                                    } else {
+                                                        phi_1576_ = _e1390.y;
+                                                    }
+                                                    let _e1400 = phi_1576_;
+                                                    if (_e1388 < _e1390.z) {
+                                                        phi_1583_ = _e1388;
+                                                    } else {
+                                                        phi_1583_ = _e1390.z;
+                                                    }
+                                                    let _e1405 = phi_1583_;
+                                                    let _e1407 = triangles.member[(0u + _e1077)].v0_;
+                                                    let _e1409 = triangles.member[(0u + _e1077)].v1_;
+                                                    if (_e1407.x > _e1409.x) {
+                                                        phi_1596_ = _e1407.x;
+                                                    } else {
+                                                        phi_1596_ = _e1409.x;
+                                                    }
+                                                    let _e1416 = phi_1596_;
+                                                    if (_e1407.y > _e1409.y) {
+                                                        phi_1605_ = _e1407.y;
+                                                    } else {
+                                                        phi_1605_ = _e1409.y;
+                                                    }
+                                                    let _e1423 = phi_1605_;
+                                                    if (_e1407.z > _e1409.z) {
+                                                        phi_1614_ = _e1407.z;
+                                                    } else {
+                                                        phi_1614_ = _e1409.z;
+                                                    }
+                                                    let _e1430 = phi_1614_;
+                                                    let _e1432 = triangles.member[(0u + _e1077)].v2_;
+                                                    if (_e1416 > _e1432.x) {
+                                                        phi_1623_ = _e1416;
+                                                    } else {
+                                                        phi_1623_ = _e1432.x;
+                                                    }
+                                                    let _e1437 = phi_1623_;
+                                                    if (_e1423 > _e1432.y) {
+                                                        phi_1630_ = _e1423;
+                                                    } else {
+                                                        phi_1630_ = _e1432.y;
+                                                    }
+                                                    let _e1442 = phi_1630_;
+                                                    if (_e1430 > _e1432.z) {
+                                                        phi_1637_ = _e1430;
+                                                    } else {
+                                                        phi_1637_ = _e1432.z;
+                                                    }
+                                                    let _e1447 = phi_1637_;
+                                                    let _e1451 = ((_e1395 - _e233) * _e392);
+                                                    let _e1452 = ((_e1400 - _e235) * _e402);
+                                                    let _e1453 = ((_e1405 - _e237) * _e412);
+                                                    let _e1457 = ((_e1437 - _e233) * _e392);
+                                                    let _e1458 = ((_e1442 - _e235) * _e402);
+                                                    let _e1459 = ((_e1447 - _e237) * _e412);
+                                                    if (_e1451 < _e1457) {
+                                                        phi_1654_ = _e1451;
+                                                    } else {
+                                                        phi_1654_ = _e1457;
+                                                    }
+                                                    let _e1462 = phi_1654_;
+                                                    if (_e1452 < _e1458) {
+                                                        phi_1659_ = _e1452;
+                                                    } else {
+                                                        phi_1659_ = _e1458;
+                                                    }
+                                                    let _e1465 = phi_1659_;
+                                                    if (_e1453 < _e1459) {
+                                                        phi_1664_ = _e1453;
+                                                    } else {
+                                                        phi_1664_ = _e1459;
+                                                    }
+                                                    let _e1468 = phi_1664_;
+                                                    if (_e1451 > _e1457) {
+                                                        phi_1672_ = _e1451;
+                                                    } else {
+                                                        phi_1672_ = _e1457;
+                                                    }
+                                                    let _e1474 = phi_1672_;
+                                                    if (_e1452 > _e1458) {
+                                                        phi_1677_ = _e1452;
+                                                    } else {
+                                                        phi_1677_ = _e1458;
+                                                    }
+                                                    let _e1477 = phi_1677_;
+                                                    if (_e1453 > _e1459) {
+                                                        phi_1682_ = _e1453;
+                                                    } else {
+                                                        phi_1682_ = _e1459;
+                                                    }
+                                                    let _e1480 = phi_1682_;
+                                                    let _e1484 = core_intrinsics_maximum_number_nsz_f32_((_e1462 - _e447), (_e1465 - _e448));
+                                                    let _e1485 = core_intrinsics_maximum_number_nsz_f32_(_e1484, (_e1468 - _e449));
+                                                    let _e1486 = core_intrinsics_minimum_number_nsz_f32_((_e1474 + _e447), (_e1477 + _e448));
+                                                    let _e1487 = core_intrinsics_minimum_number_nsz_f32_(_e1486, (_e1480 + _e449));
+                                                    if (_e1485 > -300000000000000000000000000000000000000f) {
+                                                        phi_1694_ = _e1485;
+                                                    } else {
+                                                        phi_1694_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1490 = phi_1694_;
+                                                    if (_e1487 < 300000000000000000000000000000000000000f) {
+                                                        phi_1699_ = _e1487;
+                                                    } else {
+                                                        phi_1699_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1493 = phi_1699_;
+                                                    if (_e1361 < _e1490) {
+                                                        phi_1704_ = _e1490;
+                                                    } else {
+                                                        phi_1704_ = _e1361;
+                                                    }
+                                                    let _e1496 = phi_1704_;
+                                                    if (_e1496 > _e1493) {
+                                                        phi_1709_ = _e1493;
+                                                    } else {
+                                                        phi_1709_ = _e1496;
+                                                    }
+                                                    let _e1499 = phi_1709_;
+                                                    phi_1714_ = lt_bvh_triangle_Intersection(_e1499, (_e1202 / _e1261), (_e1223 / _e1261), (_e1490 <= _e1493));
+                                                    phi_1715_ = false;
+                                                } else {
+                                                    phi_1714_ = lt_bvh_triangle_Intersection();
+                                                    phi_1715_ = true;
+                                                }
+                                                let _e1505 = phi_1714_;
+                                                let _e1507 = phi_1715_;
+                                                phi_1716_ = _e1505;
+                                                phi_1717_ = _e1507;
+                                            } else {
+                                                phi_1716_ = lt_bvh_triangle_Intersection();
+                                                phi_1717_ = true;
+                                            }
+                                            let _e1509 = phi_1716_;
+                                            let _e1511 = phi_1717_;
+                                            if _e1511 {
+                                            }
+                                            phi_1721_ = _e1509;
+                                            phi_1722_ = _e1511;
+                                        }
+                                        let _e1513 = phi_1721_;
+                                        let _e1515 = phi_1722_;
+                                        phi_1723_ = _e1513;
+                                        phi_1724_ = _e1264;
+                                        phi_1725_ = _e1515;
                                     } else {
-                                        phi_1725_ = _e1517;
+                                        phi_1723_ = lt_bvh_triangle_Intersection();
+                                        phi_1724_ = true;
+                                        phi_1725_ = false;
                                     }
-                                    let _e1519 = phi_1725_;
+                                    let _e1517 = phi_1723_;
+                                    let _e1519 = phi_1724_;
+                                    let _e1521 = phi_1725_;
                                     if _e1519 {
-                                        phi_1729_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        phi_1729_ = true;
                                     } else {
-                                        phi_1729_ = _e1513;
+                                        phi_1729_ = _e1521;
                                     }
-                                    let _e1521 = phi_1729_;
-                                    if _e1521.is_hit {
-                                        if (_e1521.t > 0f) {
-                                            if (_e1521.t < _e243) {
-                                                let _e1528 = triangles.member[(0u + _e1073)].i0_;
-                                                let _e1530 = ((_e1528 & 2147483648u) == 0u);
-                                                if _e1530 {
-                                                    phi_1755_ = false;
-                                                    phi_1756_ = false;
+                                    let _e1523 = phi_1729_;
+                                    if _e1523 {
+                                        phi_1733_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_1733_ = _e1517;
+                                    }
+                                    let _e1525 = phi_1733_;
+                                    if _e1525.is_hit {
+                                        if (_e1525.t > 0f) {
+                                            if (_e1525.t < _e243) {
+                                                if true {
+                                                    phi_1753_ = false;
                                                 } else {
-                                                    if true {
-                                                        phi_1754_ = false;
-                                                    } else {
-                                                        phi_1754_ = true;
-                                                    }
-                                                    let _e1532 = phi_1754_;
-                                                    phi_1755_ = _e1532;
-                                                    phi_1756_ = true;
+                                                    phi_1753_ = true;
                                                 }
-                                                let _e1534 = phi_1755_;
-                                                let _e1536 = phi_1756_;
-                                                phi_1757_ = _e1534;
-                                                phi_1758_ = _e1530;
-                                                phi_1759_ = _e1536;
+                                                let _e1534 = phi_1753_;
+                                                phi_1754_ = true;
+                                                phi_1755_ = _e1534;
                                             } else {
-                                                phi_1757_ = true;
-                                                phi_1758_ = false;
-                                                phi_1759_ = false;
+                                                phi_1754_ = _e1068;
+                                                phi_1755_ = true;
                                             }
-                                            let _e1538 = phi_1757_;
-                                            let _e1540 = phi_1758_;
-                                            let _e1542 = phi_1759_;
-                                            phi_1760_ = _e1538;
-                                            phi_1761_ = _e1540;
-                                            phi_1762_ = _e1542;
+                                            let _e1536 = phi_1754_;
+                                            let _e1538 = phi_1755_;
+                                            phi_1756_ = _e1536;
+                                            phi_1757_ = _e1538;
                                         } else {
-                                            phi_1760_ = true;
-                                            phi_1761_ = false;
-                                            phi_1762_ = false;
+                                            phi_1756_ = _e1068;
+                                            phi_1757_ = true;
                                         }
-                                        let _e1544 = phi_1760_;
-                                        let _e1546 = phi_1761_;
-                                        let _e1548 = phi_1762_;
-                                        phi_1763_ = _e1544;
-                                        phi_1764_ = _e1546;
-                                        phi_1765_ = _e1548;
+                                        let _e1540 = phi_1756_;
+                                        let _e1542 = phi_1757_;
+                                        phi_1758_ = _e1540;
+                                        phi_1759_ = _e1542;
                                     } else {
-                                        phi_1763_ = true;
-                                        phi_1764_ = false;
-                                        phi_1765_ = false;
+                                        phi_1758_ = _e1068;
+                                        phi_1759_ = true;
                                     }
-                                    let _e1550 = phi_1763_;
-                                    let _e1552 = phi_1764_;
-                                    let _e1554 = phi_1765_;
-                                    if _e1550 {
-                                        phi_1769_ = false;
-                                        phi_1770_ = false;
-                                    } else {
-                                        phi_1769_ = _e1552;
-                                        phi_1770_ = _e1554;
+                                    let _e1544 = phi_1758_;
+                                    let _e1546 = phi_1759_;
+                                    if _e1546 {
                                     }
-                                    let _e1556 = phi_1769_;
-                                    let _e1558 = phi_1770_;
-                                    phi_1161_ = (_e1064 & (_e1064 - 1u));
-                                    phi_1771_ = _e1550;
-                                    phi_1772_ = _e1556;
-                                    phi_1773_ = _e1558;
+                                    phi_1163_ = (_e1066 & (_e1066 - 1u));
+                                    phi_1166_ = _e1544;
+                                    phi_1763_ = _e1546;
                                 }
-                                let _e1560 = phi_1161_;
-                                let _e1562 = phi_1771_;
-                                let _e1564 = phi_1772_;
-                                let _e1566 = phi_1773_;
-                                local_7 = _e1564;
-                                local_8 = _e1566;
+                                let _e1548 = phi_1163_;
+                                let _e1550 = phi_1166_;
+                                let _e1552 = phi_1763_;
                                 continue;
                                 continuing {
-                                    phi_1160_ = _e1560;
-                                    break if !(_e1562);
+                                    phi_1162_ = _e1548;
+                                    phi_1165_ = _e1550;
+                                    break if !(_e1552);
                                 }
                             }
-                            let _e1569 = local_5;
-                            if _e1569 {
-                                let _e1571 = local.group_mask;
-                                if ((_e1571 & 4278190080u) == 0u) {
-                                    let _e1575 = local.len;
-                                    if (_e1575 == 0u) {
-                                        phi_1815_ = false;
+                            let _e1555 = local_5;
+                            if _e1555 {
+                                let _e1557 = local.group_mask;
+                                if ((_e1557 & 4278190080u) == 0u) {
+                                    let _e1561 = local.len;
+                                    if (_e1561 == 0u) {
+                                        phi_1805_ = false;
                                     } else {
-                                        let _e1579 = local.len;
-                                        local.len = (_e1579 - 1u);
-                                        let _e1582 = local.len;
-                                        if (_e1582 < 32u) {
+                                        let _e1565 = local.len;
+                                        local.len = (_e1565 - 1u);
+                                        let _e1568 = local.len;
+                                        if (_e1568 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1587 = local.first[(0u + _e1582)];
-                                        local.group = _e1587;
-                                        let _e1590 = local.len;
-                                        if (_e1590 < 32u) {
+                                        let _e1573 = local.first[(0u + _e1568)];
+                                        local.group = _e1573;
+                                        let _e1576 = local.len;
+                                        if (_e1576 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1595 = local.mask[(0u + _e1590)];
-                                        local.group_mask = _e1595;
-                                        phi_1815_ = true;
+                                        let _e1581 = local.mask[(0u + _e1576)];
+                                        local.group_mask = _e1581;
+                                        phi_1805_ = true;
                                     }
-                                    let _e1598 = phi_1815_;
-                                    phi_1816_ = _e1598;
+                                    let _e1584 = phi_1805_;
+                                    phi_1806_ = _e1584;
                                 } else {
-                                    phi_1816_ = true;
+                                    phi_1806_ = true;
                                 }
-                                let _e1600 = phi_1816_;
-                                if _e1600 {
-                                    let _e1602 = local.group_mask;
-                                    let _e1608 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1602)), 32u, (_e1602 == 0u)));
+                                let _e1586 = phi_1806_;
+                                if _e1586 {
+                                    let _e1588 = local.group_mask;
+                                    let _e1594 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1588)), 32u, (_e1588 == 0u)));
+                                    let _e1598 = local.group_mask;
                                     let _e1612 = local.group_mask;
-                                    let _e1626 = local.group_mask;
-                                    local.group_mask = (_e1626 & ~((1u << bitcast<u32>((_e1608 & 31u)))));
-                                    let _e1629 = local.group;
-                                    phi_1847_ = (_e1629 + countOneBits(((_e1612 & ~((4294967295u << bitcast<u32>((((_e1608 - 24u) ^ _e490) & 31u))))) & 255u)));
+                                    local.group_mask = (_e1612 & ~((1u << bitcast<u32>((_e1594 & 31u)))));
+                                    let _e1615 = local.group;
+                                    phi_1837_ = (_e1615 + countOneBits(((_e1598 & ~((4294967295u << bitcast<u32>((((_e1594 - 24u) ^ _e490) & 31u))))) & 255u)));
                                 } else {
-                                    phi_1847_ = 4294967295u;
+                                    phi_1837_ = 4294967295u;
                                 }
-                                let _e1632 = phi_1847_;
-                                phi_1848_ = _e1632;
-                                phi_1849_ = false;
-                                phi_1850_ = false;
+                                let _e1618 = phi_1837_;
+                                phi_1838_ = _e1618;
                             } else {
-                                phi_1848_ = u32();
-                                let _e1857 = local_7;
-                                phi_1849_ = _e1857;
-                                let _e1860 = local_8;
-                                phi_1850_ = _e1860;
+                                phi_1838_ = u32();
                             }
-                            let _e1634 = phi_1848_;
-                            let _e1636 = phi_1849_;
-                            let _e1638 = phi_1850_;
-                            phi_831_ = _e1634;
-                            let _e1864 = local_9;
-                            phi_1851_ = _e1864;
-                            phi_1852_ = false;
-                            phi_1853_ = _e1636;
-                            phi_1854_ = _e1638;
+                            let _e1620 = phi_1838_;
+                            phi_831_ = _e1620;
+                            let _e1828 = local_7;
+                            phi_834_ = _e1828;
+                            let _e1831 = local_8;
+                            phi_1839_ = _e1831;
+                            phi_1840_ = false;
                         } else {
                             phi_831_ = u32();
-                            phi_1851_ = false;
-                            phi_1852_ = true;
-                            phi_1853_ = false;
-                            phi_1854_ = false;
+                            phi_834_ = bool();
+                            phi_1839_ = false;
+                            phi_1840_ = true;
                         }
-                        let _e1640 = phi_831_;
-                        let _e1642 = phi_1851_;
-                        let _e1644 = phi_1852_;
-                        let _e1646 = phi_1853_;
-                        let _e1648 = phi_1854_;
-                        local_6 = _e1644;
-                        local_10 = _e1646;
-                        local_11 = _e1648;
+                        let _e1622 = phi_831_;
+                        let _e1624 = phi_834_;
+                        let _e1626 = phi_1839_;
+                        let _e1628 = phi_1840_;
+                        local_6 = _e1628;
                         continue;
                         continuing {
-                            phi_830_ = _e1640;
-                            break if !(_e1642);
+                            phi_830_ = _e1622;
+                            phi_833_ = _e1624;
+                            break if !(_e1626);
                         }
                     }
-                    let _e1651 = local_6;
-                    if _e1651 {
-                        phi_1858_ = false;
-                        phi_1859_ = false;
+                    let _e1631 = local_6;
+                    if _e1631 {
+                        phi_1844_ = false;
                     } else {
-                        let _e1871 = local_10;
-                        phi_1858_ = _e1871;
-                        let _e1874 = local_11;
-                        phi_1859_ = _e1874;
+                        phi_1844_ = true;
                     }
-                    let _e1653 = phi_1858_;
-                    let _e1655 = phi_1859_;
-                    if _e1653 {
-                        phi_1863_ = true;
+                    let _e1633 = phi_1844_;
+                    if _e1633 {
+                        phi_1848_ = true;
                     } else {
-                        phi_1863_ = _e1655;
+                        let _e1837 = local_9;
+                        phi_1848_ = _e1837;
                     }
-                    let _e1657 = phi_1863_;
-                    if _e1657 {
-                        phi_1867_ = true;
-                    } else {
-                        phi_1867_ = false;
-                    }
-                    let _e1659 = phi_1867_;
-                    phi_1868_ = _e1659;
+                    let _e1635 = phi_1848_;
+                    phi_1849_ = _e1635;
                 }
-                let _e1661 = phi_1868_;
-                phi_1869_ = _e1661;
-                phi_1870_ = _e316;
+                let _e1637 = phi_1849_;
+                phi_1850_ = _e1637;
+                phi_1851_ = _e316;
             } else {
-                phi_1869_ = bool();
-                phi_1870_ = true;
+                phi_1850_ = bool();
+                phi_1851_ = true;
             }
-            let _e1663 = phi_1869_;
-            let _e1665 = phi_1870_;
-            if _e1665 {
-                phi_1874_ = false;
+            let _e1639 = phi_1850_;
+            let _e1641 = phi_1851_;
+            if _e1641 {
+                phi_1855_ = false;
             } else {
-                phi_1874_ = _e1663;
+                phi_1855_ = _e1639;
             }
-            let _e1667 = phi_1874_;
-            if _e1667 {
-                phi_1878_ = 0f;
+            let _e1643 = phi_1855_;
+            if _e1643 {
+                phi_1859_ = 0f;
             } else {
-                phi_1878_ = 1f;
+                phi_1859_ = 1f;
             }
-            let _e1669 = phi_1878_;
-            phi_1879_ = _e1669;
+            let _e1645 = phi_1859_;
+            phi_1860_ = _e1645;
         }
-        let _e1671 = phi_1879_;
+        let _e1647 = phi_1860_;
         if (_e73.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e73.first_primitive)] = _e1671;
+        visibility.member[(0u + _e73.first_primitive)] = _e1647;
     }
     return;
 }

@@ -39,11 +39,48 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
     row_z: vec4<f32>,
     row_w: vec4<f32>,
+}
+
+struct abi_ShadowParams {
+    projection: lt_math_LightProjection,
+    light: abi_LightParams,
+    test: vec4<f32>,
+    size: vec2<u32>,
+    map_size: u32,
+    epsilon: f32,
+    root: u32,
+    level_count: u32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_33 {
+    member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_38 {
+    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Triangle {
@@ -55,43 +92,8 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_32 {
+struct type_42 {
     member: array<lt_bvh_Triangle>,
-}
-
-struct lt_bvh_Instance {
-    world_to_object: array<vec4<f32>, 3>,
-    object_to_world: array<vec4<f32>, 3>,
-    low_world: vec3<f32>,
-    root: u32,
-    high_world: vec3<f32>,
-    first_triangle: u32,
-    source: u32,
-    padding: array<u32, 3>,
-}
-
-struct type_39 {
-    member: array<lt_bvh_Instance>,
-}
-
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_48 {
-    member: array<lt_bvh_Node>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
@@ -106,21 +108,19 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-struct abi_ShadowParams {
-    projection: lt_math_LightProjection,
-    light: abi_LightParams,
-    test: vec4<f32>,
-    size: vec2<u32>,
-    map_size: u32,
-    epsilon: f32,
+struct lt_bvh_Instance {
+    world_to_object: array<vec4<f32>, 3>,
+    object_to_world: array<vec4<f32>, 3>,
+    low_world: vec3<f32>,
     root: u32,
-    level_count: u32,
-    fade_uv: f32,
-    pad0_: u32,
+    high_world: vec3<f32>,
+    first_triangle: u32,
+    source: u32,
+    padding: array<u32, 3>,
 }
 
-struct type_56 {
-    member: abi_ShadowParams,
+struct type_52 {
+    member: array<lt_bvh_Instance>,
 }
 
 var<private> id_1: vec3<u32>;
@@ -130,13 +130,13 @@ var<storage> samples: type_9;
 var<storage, read_write> visibility: type_13;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_56;
+var<uniform> p: type_33;
 @group(0) @binding(2) 
-var<storage> nodes: type_48;
+var<storage> nodes: type_38;
 @group(0) @binding(3) 
-var<storage> triangles: type_32;
+var<storage> triangles: type_42;
 @group(0) @binding(5) 
-var<storage> instances: type_39;
+var<storage> instances: type_52;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_188_: lt_bvh_traverse_Tree;
@@ -308,41 +308,39 @@ fn function_() {
     var phi_812_: bool;
     var phi_843_: u32;
     var phi_845_: u32;
-    var phi_926_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_953_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_980_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_986_: u32;
-    var phi_989_: u32;
-    var phi_1003_: u32;
-    var phi_1013_: u32;
-    var phi_1023_: u32;
-    var phi_1041_: u32;
-    var phi_1051_: u32;
-    var phi_1061_: u32;
-    var phi_1097_: u32;
-    var phi_1110_: u32;
-    var phi_1115_: u32;
-    var phi_1116_: u32;
+    var phi_848_: bool;
+    var phi_928_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_955_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_982_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_988_: u32;
+    var phi_991_: u32;
+    var phi_1005_: u32;
+    var phi_1015_: u32;
+    var phi_1025_: u32;
+    var phi_1043_: u32;
+    var phi_1053_: u32;
+    var phi_1063_: u32;
+    var phi_1099_: u32;
+    var phi_1112_: u32;
     var phi_1117_: u32;
-    var phi_987_: u32;
-    var phi_990_: u32;
+    var phi_1118_: u32;
+    var phi_1119_: u32;
+    var phi_989_: u32;
+    var phi_992_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1175_: u32;
-    var phi_1225_: f32;
-    var phi_1230_: f32;
-    var phi_1235_: f32;
-    var phi_1243_: f32;
-    var phi_1248_: f32;
-    var phi_1253_: f32;
-    var phi_1397_: bool;
-    var phi_1398_: bool;
-    var phi_1399_: bool;
+    var phi_1177_: u32;
+    var phi_1180_: bool;
+    var phi_1229_: f32;
+    var phi_1234_: f32;
+    var phi_1239_: f32;
+    var phi_1247_: f32;
+    var phi_1252_: f32;
+    var phi_1257_: f32;
+    var phi_1401_: bool;
+    var phi_1402_: bool;
     var phi_1403_: bool;
-    var phi_1404_: bool;
-    var phi_1405_: bool;
-    var phi_1406_: bool;
     var phi_1407_: bool;
     var phi_1408_: bool;
     var phi_1409_: bool;
@@ -357,136 +355,139 @@ fn function_() {
     var phi_1418_: bool;
     var phi_1419_: bool;
     var phi_1420_: bool;
+    var phi_1421_: bool;
+    var phi_1422_: bool;
+    var phi_1423_: bool;
     var phi_1424_: bool;
     var phi_1428_: bool;
-    var phi_1498_: f32;
-    var phi_1505_: f32;
-    var phi_1512_: f32;
-    var phi_1519_: f32;
-    var phi_1526_: f32;
-    var phi_1533_: f32;
-    var phi_1550_: f32;
-    var phi_1555_: f32;
-    var phi_1560_: f32;
-    var phi_1588_: bool;
-    var phi_1589_: bool;
-    var phi_1597_: u32;
-    var phi_1598_: u32;
-    var phi_1609_: vec3<f32>;
-    var phi_1610_: vec3<f32>;
-    var phi_1623_: u32;
-    var phi_1628_: u32;
-    var phi_1633_: u32;
-    var phi_1747_: bool;
-    var phi_1748_: bool;
-    var phi_1779_: u32;
-    var phi_1781_: u32;
-    var phi_1862_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1889_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1916_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1922_: u32;
-    var phi_1925_: u32;
-    var phi_1939_: u32;
-    var phi_1949_: u32;
-    var phi_1959_: u32;
-    var phi_1977_: u32;
-    var phi_1987_: u32;
-    var phi_1997_: u32;
-    var phi_2033_: u32;
-    var phi_2046_: u32;
-    var phi_2051_: u32;
+    var phi_1432_: bool;
+    var phi_1502_: f32;
+    var phi_1509_: f32;
+    var phi_1516_: f32;
+    var phi_1523_: f32;
+    var phi_1530_: f32;
+    var phi_1537_: f32;
+    var phi_1554_: f32;
+    var phi_1559_: f32;
+    var phi_1564_: f32;
+    var phi_1592_: bool;
+    var phi_1593_: bool;
+    var phi_1601_: u32;
+    var phi_1602_: u32;
+    var phi_1613_: vec3<f32>;
+    var phi_1614_: vec3<f32>;
+    var phi_1627_: u32;
+    var phi_1632_: u32;
+    var phi_1637_: u32;
+    var phi_1751_: bool;
+    var phi_1752_: bool;
+    var phi_1783_: u32;
+    var phi_1785_: u32;
+    var phi_1788_: bool;
+    var phi_1868_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1895_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1922_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1928_: u32;
+    var phi_1931_: u32;
+    var phi_1945_: u32;
+    var phi_1955_: u32;
+    var phi_1965_: u32;
+    var phi_1983_: u32;
+    var phi_1993_: u32;
+    var phi_2003_: u32;
+    var phi_2039_: u32;
     var phi_2052_: u32;
-    var phi_2053_: u32;
-    var phi_1923_: u32;
-    var phi_1926_: u32;
+    var phi_2057_: u32;
+    var phi_2058_: u32;
+    var phi_2059_: u32;
+    var phi_1929_: u32;
+    var phi_1932_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2111_: u32;
-    var phi_2156_: vec3<f32>;
-    var phi_2157_: vec3<f32>;
-    var phi_2186_: vec3<f32>;
-    var phi_2187_: vec3<f32>;
-    var phi_2216_: vec3<f32>;
-    var phi_2217_: vec3<f32>;
-    var phi_2235_: bool;
-    var phi_2236_: bool;
-    var phi_2240_: f32;
-    var phi_2241_: f32;
-    var phi_2242_: f32;
-    var phi_2243_: f32;
+    var phi_2117_: u32;
+    var phi_2120_: bool;
+    var phi_2164_: vec3<f32>;
+    var phi_2165_: vec3<f32>;
+    var phi_2194_: vec3<f32>;
+    var phi_2195_: vec3<f32>;
+    var phi_2224_: vec3<f32>;
+    var phi_2225_: vec3<f32>;
+    var phi_2243_: bool;
+    var phi_2244_: bool;
+    var phi_2248_: f32;
+    var phi_2249_: f32;
+    var phi_2250_: f32;
     var phi_2251_: f32;
-    var phi_2261_: bool;
-    var phi_2262_: bool;
-    var phi_2266_: f32;
-    var phi_2267_: f32;
-    var phi_2268_: f32;
-    var phi_2269_: f32;
+    var phi_2259_: f32;
+    var phi_2269_: bool;
+    var phi_2270_: bool;
+    var phi_2274_: f32;
+    var phi_2275_: f32;
+    var phi_2276_: f32;
     var phi_2277_: f32;
-    var phi_2287_: bool;
-    var phi_2288_: bool;
-    var phi_2292_: f32;
-    var phi_2293_: f32;
-    var phi_2294_: f32;
-    var phi_2295_: f32;
+    var phi_2285_: f32;
+    var phi_2295_: bool;
+    var phi_2296_: bool;
+    var phi_2300_: f32;
+    var phi_2301_: f32;
+    var phi_2302_: f32;
     var phi_2303_: f32;
-    var phi_2318_: f32;
-    var phi_2319_: bool;
-    var phi_2320_: f32;
-    var phi_2321_: bool;
-    var phi_2322_: f32;
-    var phi_2323_: bool;
-    var phi_2341_: f32;
-    var phi_2342_: bool;
-    var phi_2343_: bool;
-    var phi_2344_: f32;
-    var phi_2345_: bool;
-    var phi_2346_: bool;
+    var phi_2311_: f32;
+    var phi_2326_: f32;
+    var phi_2327_: bool;
+    var phi_2328_: f32;
+    var phi_2329_: bool;
+    var phi_2330_: f32;
+    var phi_2331_: bool;
+    var phi_2349_: f32;
     var phi_2350_: bool;
-    var phi_2351_: f32;
-    var phi_2352_: bool;
-    var phi_2380_: vec3<f32>;
-    var phi_2381_: vec3<f32>;
-    var phi_2406_: vec3<f32>;
-    var phi_2407_: vec3<f32>;
-    var phi_2432_: vec3<f32>;
-    var phi_2433_: vec3<f32>;
-    var phi_2489_: f32;
-    var phi_2498_: f32;
-    var phi_2507_: f32;
-    var phi_2516_: f32;
-    var phi_2523_: f32;
-    var phi_2530_: f32;
-    var phi_2543_: f32;
-    var phi_2552_: f32;
-    var phi_2561_: f32;
-    var phi_2570_: f32;
-    var phi_2577_: f32;
-    var phi_2584_: f32;
-    var phi_2601_: f32;
-    var phi_2606_: f32;
-    var phi_2611_: f32;
+    var phi_2351_: bool;
+    var phi_2352_: f32;
+    var phi_2353_: bool;
+    var phi_2354_: bool;
+    var phi_2358_: bool;
+    var phi_2359_: f32;
+    var phi_2360_: bool;
+    var phi_2388_: vec3<f32>;
+    var phi_2389_: vec3<f32>;
+    var phi_2414_: vec3<f32>;
+    var phi_2415_: vec3<f32>;
+    var phi_2440_: vec3<f32>;
+    var phi_2441_: vec3<f32>;
+    var phi_2497_: f32;
+    var phi_2506_: f32;
+    var phi_2515_: f32;
+    var phi_2524_: f32;
+    var phi_2531_: f32;
+    var phi_2538_: f32;
+    var phi_2551_: f32;
+    var phi_2560_: f32;
+    var phi_2569_: f32;
+    var phi_2578_: f32;
+    var phi_2585_: f32;
+    var phi_2592_: f32;
+    var phi_2609_: f32;
+    var phi_2614_: f32;
     var phi_2619_: f32;
-    var phi_2624_: f32;
-    var phi_2629_: f32;
-    var phi_2641_: f32;
-    var phi_2646_: f32;
-    var phi_2651_: f32;
-    var phi_2656_: f32;
-    var phi_2661_: lt_bvh_triangle_Intersection;
-    var phi_2662_: bool;
-    var phi_2663_: lt_bvh_triangle_Intersection;
-    var phi_2664_: bool;
-    var phi_2668_: lt_bvh_triangle_Intersection;
-    var phi_2669_: bool;
-    var phi_2670_: lt_bvh_triangle_Intersection;
-    var phi_2671_: bool;
+    var phi_2627_: f32;
+    var phi_2632_: f32;
+    var phi_2637_: f32;
+    var phi_2649_: f32;
+    var phi_2654_: f32;
+    var phi_2659_: f32;
+    var phi_2664_: f32;
+    var phi_2669_: lt_bvh_triangle_Intersection;
+    var phi_2670_: bool;
+    var phi_2671_: lt_bvh_triangle_Intersection;
     var phi_2672_: bool;
-    var phi_2676_: bool;
-    var phi_2680_: lt_bvh_triangle_Intersection;
-    var phi_2705_: bool;
-    var phi_2706_: bool;
-    var phi_2707_: bool;
+    var phi_2676_: lt_bvh_triangle_Intersection;
+    var phi_2677_: bool;
+    var phi_2678_: lt_bvh_triangle_Intersection;
+    var phi_2679_: bool;
+    var phi_2680_: bool;
+    var phi_2684_: bool;
+    var phi_2688_: lt_bvh_triangle_Intersection;
     var phi_2708_: bool;
     var phi_2709_: bool;
     var phi_2710_: bool;
@@ -494,64 +495,59 @@ fn function_() {
     var phi_2712_: bool;
     var phi_2713_: bool;
     var phi_2714_: bool;
-    var phi_2715_: bool;
-    var phi_2716_: bool;
-    var phi_2720_: bool;
-    var phi_2721_: bool;
-    var phi_2112_: u32;
-    var phi_2722_: bool;
-    var phi_2723_: bool;
-    var phi_2724_: bool;
+    var phi_2118_: u32;
+    var phi_2121_: bool;
+    var phi_2718_: bool;
     var local_9: bool;
-    var phi_2766_: bool;
-    var phi_2767_: bool;
-    var phi_2798_: u32;
-    var phi_2799_: u32;
-    var phi_2800_: bool;
-    var phi_2801_: bool;
-    var phi_1782_: u32;
-    var phi_2802_: bool;
+    var phi_2760_: bool;
+    var phi_2761_: bool;
+    var phi_2792_: u32;
+    var phi_2793_: u32;
+    var phi_1786_: u32;
+    var phi_1789_: bool;
+    var phi_2794_: bool;
+    var phi_2795_: bool;
+    var local_10: bool;
+    var phi_2799_: bool;
     var phi_2803_: bool;
     var phi_2804_: bool;
     var phi_2805_: bool;
-    var local_10: bool;
-    var phi_2809_: bool;
+    var phi_2806_: bool;
     var phi_2810_: bool;
     var phi_2814_: bool;
+    var phi_2815_: bool;
+    var phi_2816_: bool;
+    var phi_2817_: bool;
     var phi_2818_: bool;
     var phi_2819_: bool;
     var phi_2820_: bool;
-    var phi_2821_: bool;
-    var phi_2825_: bool;
-    var phi_2829_: bool;
-    var phi_2830_: bool;
-    var phi_2831_: bool;
-    var phi_2832_: bool;
-    var phi_1176_: u32;
-    var phi_2836_: bool;
+    var phi_1178_: u32;
+    var phi_1181_: bool;
+    var phi_2824_: bool;
     var local_11: bool;
-    var phi_2878_: bool;
-    var phi_2879_: bool;
-    var phi_2910_: u32;
-    var phi_2911_: u32;
+    var phi_2866_: bool;
+    var phi_2867_: bool;
+    var phi_2898_: u32;
+    var phi_2899_: u32;
     var phi_846_: u32;
-    var phi_2912_: bool;
-    var phi_2913_: bool;
+    var phi_849_: bool;
+    var phi_2900_: bool;
+    var phi_2901_: bool;
     var local_12: bool;
-    var phi_2917_: bool;
-    var phi_2921_: bool;
-    var phi_2922_: bool;
-    var phi_2923_: bool;
-    var phi_2924_: bool;
-    var phi_2928_: bool;
-    var phi_2932_: f32;
-    var phi_2933_: f32;
+    var phi_2905_: bool;
+    var phi_2909_: bool;
+    var phi_2910_: bool;
+    var phi_2911_: bool;
+    var phi_2915_: bool;
+    var phi_2916_: bool;
+    var phi_2920_: bool;
+    var phi_2924_: f32;
+    var phi_2925_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
     var local_17: bool;
-    var local_18: bool;
 
     let _e57 = id_1;
     let _e64 = arrayLength((&nodes.member));
@@ -629,7 +625,7 @@ fn function_() {
         let _e219 = phi_404_;
         let _e224 = p.member.root;
         if _e219.unnamed_1 {
-            phi_2933_ = _e219.unnamed.visibility;
+            phi_2925_ = _e219.unnamed.visibility;
         } else {
             let _e227 = local_2.position;
             let _e229 = local_2.normal;
@@ -757,7 +753,7 @@ fn function_() {
             if _e322 {
                 let _e323 = (_e224 >= _e64);
                 if _e323 {
-                    phi_2922_ = bool();
+                    phi_2909_ = false;
                 } else {
                     if (_e224 < _e64) {
                     } else {
@@ -907,1616 +903,1598 @@ fn function_() {
                     }
                     let _e603 = phi_843_;
                     phi_845_ = _e603;
+                    phi_848_ = false;
                     loop {
                         let _e605 = phi_845_;
+                        let _e607 = phi_848_;
                         if (_e605 != 4294967295u) {
                             if (_e605 < _e64) {
                             } else {
                                 return;
                             }
-                            let _e612 = nodes.member[(0u + _e605)].frame[3u];
-                            let _e637 = (bitcast<f32>((((_e612 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e399);
-                            let _e638 = (bitcast<f32>((((_e612 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e409);
-                            let _e639 = (bitcast<f32>((((_e612 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e419);
-                            let _e642 = nodes.member[(0u + _e605)].frame[0u];
-                            let _e646 = nodes.member[(0u + _e605)].frame[1u];
-                            let _e650 = nodes.member[(0u + _e605)].frame[2u];
-                            let _e655 = ((bitcast<f32>(_e642) - _e241) * _e399);
-                            let _e656 = ((bitcast<f32>(_e646) - _e243) * _e409);
-                            let _e657 = ((bitcast<f32>(_e650) - _e245) * _e419);
-                            let _e665 = nodes.member[(0u + _e605)].x;
+                            let _e614 = nodes.member[(0u + _e605)].frame[3u];
+                            let _e639 = (bitcast<f32>((((_e614 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e399);
+                            let _e640 = (bitcast<f32>((((_e614 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e409);
+                            let _e641 = (bitcast<f32>((((_e614 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e419);
+                            let _e644 = nodes.member[(0u + _e605)].frame[0u];
+                            let _e648 = nodes.member[(0u + _e605)].frame[1u];
+                            let _e652 = nodes.member[(0u + _e605)].frame[2u];
+                            let _e657 = ((bitcast<f32>(_e644) - _e241) * _e399);
+                            let _e658 = ((bitcast<f32>(_e648) - _e243) * _e409);
+                            let _e659 = ((bitcast<f32>(_e652) - _e245) * _e419);
+                            let _e667 = nodes.member[(0u + _e605)].x;
                             if (_e399 < 0f) {
-                                let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e665.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e676.unnamed.root, _e665.w), _e676.unnamed_1);
-                                let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_bvh_traverse_Tree(_e665.x, _e682.unnamed_1.first_primitive));
-                                phi_926_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_bvh_traverse_Tree(_e688.unnamed_1.root, _e665.y));
+                                let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e678.unnamed.root, _e667.w), _e678.unnamed_1);
+                                let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_bvh_traverse_Tree(_e667.x, _e684.unnamed_1.first_primitive));
+                                phi_928_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_bvh_traverse_Tree(_e690.unnamed_1.root, _e667.y));
                             } else {
-                                let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e665.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.unnamed.root, _e665.y), _e704.unnamed_1);
-                                let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_bvh_traverse_Tree(_e665.z, _e710.unnamed_1.first_primitive));
-                                phi_926_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e716.unnamed_1.root, _e665.w));
+                                let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e706.unnamed.root, _e667.y), _e706.unnamed_1);
+                                let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_bvh_traverse_Tree(_e667.z, _e712.unnamed_1.first_primitive));
+                                phi_928_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e718.unnamed_1.root, _e667.w));
                             }
-                            let _e724 = phi_926_;
-                            let _e734 = nodes.member[(0u + _e605)].y;
+                            let _e726 = phi_928_;
+                            let _e736 = nodes.member[(0u + _e605)].y;
                             if (_e409 < 0f) {
-                                let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e734.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e745.unnamed.root, _e734.w), _e745.unnamed_1);
-                                let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_bvh_traverse_Tree(_e734.x, _e751.unnamed_1.first_primitive));
-                                phi_953_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_bvh_traverse_Tree(_e757.unnamed_1.root, _e734.y));
+                                let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e747.unnamed.root, _e736.w), _e747.unnamed_1);
+                                let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_bvh_traverse_Tree(_e736.x, _e753.unnamed_1.first_primitive));
+                                phi_955_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e759.unnamed, lt_bvh_traverse_Tree(_e759.unnamed_1.root, _e736.y));
                             } else {
-                                let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e734.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e773.unnamed.root, _e734.y), _e773.unnamed_1);
-                                let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_bvh_traverse_Tree(_e734.z, _e779.unnamed_1.first_primitive));
-                                phi_953_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_bvh_traverse_Tree(_e785.unnamed_1.root, _e734.w));
+                                let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e775.unnamed.root, _e736.y), _e775.unnamed_1);
+                                let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e781.unnamed, lt_bvh_traverse_Tree(_e736.z, _e781.unnamed_1.first_primitive));
+                                phi_955_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_bvh_traverse_Tree(_e787.unnamed_1.root, _e736.w));
                             }
-                            let _e793 = phi_953_;
-                            let _e803 = nodes.member[(0u + _e605)].z;
+                            let _e795 = phi_955_;
+                            let _e805 = nodes.member[(0u + _e605)].z;
                             if (_e419 < 0f) {
-                                let _e814 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e803.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e820 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e814.unnamed.root, _e803.w), _e814.unnamed_1);
-                                let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e820.unnamed, lt_bvh_traverse_Tree(_e803.x, _e820.unnamed_1.first_primitive));
-                                phi_980_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e826.unnamed, lt_bvh_traverse_Tree(_e826.unnamed_1.root, _e803.y));
+                                let _e816 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e805.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e816.unnamed.root, _e805.w), _e816.unnamed_1);
+                                let _e828 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e822.unnamed, lt_bvh_traverse_Tree(_e805.x, _e822.unnamed_1.first_primitive));
+                                phi_982_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e828.unnamed, lt_bvh_traverse_Tree(_e828.unnamed_1.root, _e805.y));
                             } else {
-                                let _e842 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e803.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e848 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e842.unnamed.root, _e803.y), _e842.unnamed_1);
-                                let _e854 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e848.unnamed, lt_bvh_traverse_Tree(_e803.z, _e848.unnamed_1.first_primitive));
-                                phi_980_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e854.unnamed, lt_bvh_traverse_Tree(_e854.unnamed_1.root, _e803.w));
+                                let _e844 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e805.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e850 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e844.unnamed.root, _e805.y), _e844.unnamed_1);
+                                let _e856 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e850.unnamed, lt_bvh_traverse_Tree(_e805.z, _e850.unnamed_1.first_primitive));
+                                phi_982_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e856.unnamed, lt_bvh_traverse_Tree(_e856.unnamed_1.root, _e805.w));
                             }
-                            let _e862 = phi_980_;
-                            phi_986_ = 0u;
-                            phi_989_ = 0u;
+                            let _e864 = phi_982_;
+                            phi_988_ = 0u;
+                            phi_991_ = 0u;
                             loop {
-                                let _e872 = phi_986_;
-                                let _e874 = phi_989_;
-                                local_3 = _e874;
-                                local_4 = _e874;
-                                local_5 = _e874;
-                                let _e875 = (_e872 < 8u);
-                                if _e875 {
-                                    let _e877 = (_e872 >> bitcast<u32>(2i));
-                                    let _e878 = (_e872 & 3u);
-                                    if (_e877 == 0u) {
-                                        phi_1003_ = _e724.unnamed.root;
+                                let _e874 = phi_988_;
+                                let _e876 = phi_991_;
+                                local_3 = _e876;
+                                local_4 = _e876;
+                                local_5 = _e876;
+                                let _e877 = (_e874 < 8u);
+                                if _e877 {
+                                    let _e879 = (_e874 >> bitcast<u32>(2i));
+                                    let _e880 = (_e874 & 3u);
+                                    if (_e879 == 0u) {
+                                        phi_1005_ = _e726.unnamed.root;
                                     } else {
-                                        phi_1003_ = _e724.unnamed.first_primitive;
+                                        phi_1005_ = _e726.unnamed.first_primitive;
                                     }
-                                    let _e881 = phi_1003_;
-                                    if (_e877 == 0u) {
-                                        phi_1013_ = _e793.unnamed.root;
+                                    let _e883 = phi_1005_;
+                                    if (_e879 == 0u) {
+                                        phi_1015_ = _e795.unnamed.root;
                                     } else {
-                                        phi_1013_ = _e793.unnamed.first_primitive;
+                                        phi_1015_ = _e795.unnamed.first_primitive;
                                     }
-                                    let _e890 = phi_1013_;
-                                    if (_e877 == 0u) {
-                                        phi_1023_ = _e862.unnamed.root;
+                                    let _e892 = phi_1015_;
+                                    if (_e879 == 0u) {
+                                        phi_1025_ = _e864.unnamed.root;
                                     } else {
-                                        phi_1023_ = _e862.unnamed.first_primitive;
+                                        phi_1025_ = _e864.unnamed.first_primitive;
                                     }
-                                    let _e899 = phi_1023_;
-                                    let _e912 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e881 >> bitcast<u32>(((_e878 * 8u) & 31u))) & 255u)) * _e637) + (_e655 - _e447)), ((f32(((_e890 >> bitcast<u32>(((_e878 * 8u) & 31u))) & 255u)) * _e638) + (_e656 - _e448)));
-                                    let _e913 = core_intrinsics_maximum_number_nsz_f32_(_e912, ((f32(((_e899 >> bitcast<u32>(((_e878 * 8u) & 31u))) & 255u)) * _e639) + (_e657 - _e449)));
-                                    if (_e877 == 0u) {
-                                        phi_1041_ = _e724.unnamed_1.root;
+                                    let _e901 = phi_1025_;
+                                    let _e914 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e883 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e639) + (_e657 - _e447)), ((f32(((_e892 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e640) + (_e658 - _e448)));
+                                    let _e915 = core_intrinsics_maximum_number_nsz_f32_(_e914, ((f32(((_e901 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e641) + (_e659 - _e449)));
+                                    if (_e879 == 0u) {
+                                        phi_1043_ = _e726.unnamed_1.root;
                                     } else {
-                                        phi_1041_ = _e724.unnamed_1.first_primitive;
+                                        phi_1043_ = _e726.unnamed_1.first_primitive;
                                     }
-                                    let _e916 = phi_1041_;
-                                    if (_e877 == 0u) {
-                                        phi_1051_ = _e793.unnamed_1.root;
+                                    let _e918 = phi_1043_;
+                                    if (_e879 == 0u) {
+                                        phi_1053_ = _e795.unnamed_1.root;
                                     } else {
-                                        phi_1051_ = _e793.unnamed_1.first_primitive;
+                                        phi_1053_ = _e795.unnamed_1.first_primitive;
                                     }
-                                    let _e925 = phi_1051_;
-                                    if (_e877 == 0u) {
-                                        phi_1061_ = _e862.unnamed_1.root;
+                                    let _e927 = phi_1053_;
+                                    if (_e879 == 0u) {
+                                        phi_1063_ = _e864.unnamed_1.root;
                                     } else {
-                                        phi_1061_ = _e862.unnamed_1.first_primitive;
+                                        phi_1063_ = _e864.unnamed_1.first_primitive;
                                     }
-                                    let _e934 = phi_1061_;
-                                    let _e947 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e916 >> bitcast<u32>(((_e878 * 8u) & 31u))) & 255u)) * _e637) + (_e655 + _e447)), ((f32(((_e925 >> bitcast<u32>(((_e878 * 8u) & 31u))) & 255u)) * _e638) + (_e656 + _e448)));
-                                    let _e948 = core_intrinsics_minimum_number_nsz_f32_(_e947, ((f32(((_e934 >> bitcast<u32>(((_e878 * 8u) & 31u))) & 255u)) * _e639) + (_e657 + _e449)));
-                                    if (_e913 <= _e948) {
-                                        if (_e913 <= _e251) {
-                                            if (_e948 >= 0f) {
-                                                if (_e877 == 0u) {
-                                                    let _e955 = nodes.member[(0u + _e605)].links[2u];
-                                                    phi_1097_ = _e955;
+                                    let _e936 = phi_1063_;
+                                    let _e949 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e918 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e639) + (_e657 + _e447)), ((f32(((_e927 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e640) + (_e658 + _e448)));
+                                    let _e950 = core_intrinsics_minimum_number_nsz_f32_(_e949, ((f32(((_e936 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e641) + (_e659 + _e449)));
+                                    if (_e915 <= _e950) {
+                                        if (_e915 <= _e251) {
+                                            if (_e950 >= 0f) {
+                                                if (_e879 == 0u) {
+                                                    let _e957 = nodes.member[(0u + _e605)].links[2u];
+                                                    phi_1099_ = _e957;
                                                 } else {
-                                                    let _e958 = nodes.member[(0u + _e605)].links[3u];
-                                                    phi_1097_ = _e958;
+                                                    let _e960 = nodes.member[(0u + _e605)].links[3u];
+                                                    phi_1099_ = _e960;
                                                 }
-                                                let _e960 = phi_1097_;
-                                                let _e965 = ((_e960 >> bitcast<u32>(((_e878 * 8u) & 31u))) & 255u);
-                                                let _e966 = (_e965 & 31u);
-                                                if (_e966 >= 24u) {
-                                                    phi_1110_ = (24u + ((_e966 - 24u) ^ _e467));
+                                                let _e962 = phi_1099_;
+                                                let _e967 = ((_e962 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u);
+                                                let _e968 = (_e967 & 31u);
+                                                if (_e968 >= 24u) {
+                                                    phi_1112_ = (24u + ((_e968 - 24u) ^ _e467));
                                                 } else {
-                                                    phi_1110_ = _e966;
+                                                    phi_1112_ = _e968;
                                                 }
-                                                let _e972 = phi_1110_;
-                                                phi_1115_ = (_e874 | ((_e965 >> bitcast<u32>(5i)) << bitcast<u32>((_e972 & 31u))));
+                                                let _e974 = phi_1112_;
+                                                phi_1117_ = (_e876 | ((_e967 >> bitcast<u32>(5i)) << bitcast<u32>((_e974 & 31u))));
                                             } else {
-                                                phi_1115_ = _e874;
+                                                phi_1117_ = _e876;
                                             }
-                                            let _e980 = phi_1115_;
-                                            phi_1116_ = _e980;
+                                            let _e982 = phi_1117_;
+                                            phi_1118_ = _e982;
                                         } else {
-                                            phi_1116_ = _e874;
+                                            phi_1118_ = _e876;
                                         }
-                                        let _e982 = phi_1116_;
-                                        phi_1117_ = _e982;
+                                        let _e984 = phi_1118_;
+                                        phi_1119_ = _e984;
                                     } else {
-                                        phi_1117_ = _e874;
+                                        phi_1119_ = _e876;
                                     }
-                                    let _e984 = phi_1117_;
-                                    phi_987_ = (_e872 + 1u);
-                                    phi_990_ = _e984;
+                                    let _e986 = phi_1119_;
+                                    phi_989_ = (_e874 + 1u);
+                                    phi_992_ = _e986;
                                 } else {
-                                    phi_987_ = u32();
-                                    phi_990_ = u32();
+                                    phi_989_ = u32();
+                                    phi_992_ = u32();
                                 }
-                                let _e987 = phi_987_;
-                                let _e989 = phi_990_;
+                                let _e989 = phi_989_;
+                                let _e991 = phi_992_;
                                 continue;
                                 continuing {
-                                    phi_986_ = _e987;
-                                    phi_989_ = _e989;
-                                    break if !(_e875);
+                                    phi_988_ = _e989;
+                                    phi_991_ = _e991;
+                                    break if !(_e877);
                                 }
                             }
-                            let _e993 = nodes.member[(0u + _e605)].links[0u];
-                            let _e997 = nodes.member[(0u + _e605)].frame[3u];
-                            let _e1001 = local_3;
-                            if ((_e1001 & 4278190080u) == 0u) {
+                            let _e995 = nodes.member[(0u + _e605)].links[0u];
+                            let _e999 = nodes.member[(0u + _e605)].frame[3u];
+                            let _e1003 = local_3;
+                            if ((_e1003 & 4278190080u) == 0u) {
                             } else {
-                                let _e1005 = local_1.group_mask;
-                                if ((_e1005 & 4278190080u) == 0u) {
+                                let _e1007 = local_1.group_mask;
+                                if ((_e1007 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e1009 = local_1.len;
-                                    if (_e1009 < 32u) {
-                                        let _e1012 = local_1.group;
-                                        let _e1014 = local_1.len;
-                                        if (_e1014 < 32u) {
+                                    let _e1011 = local_1.len;
+                                    if (_e1011 < 32u) {
+                                        let _e1014 = local_1.group;
+                                        let _e1016 = local_1.len;
+                                        if (_e1016 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.first[(0u + _e1014)] = _e1012;
-                                        let _e1020 = local_1.group_mask;
-                                        let _e1022 = local_1.len;
-                                        if (_e1022 < 32u) {
+                                        local_1.first[(0u + _e1016)] = _e1014;
+                                        let _e1022 = local_1.group_mask;
+                                        let _e1024 = local_1.len;
+                                        if (_e1024 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.mask[(0u + _e1022)] = _e1020;
-                                        let _e1029 = local_1.len;
-                                        local_1.len = (_e1029 + 1u);
+                                        local_1.mask[(0u + _e1024)] = _e1022;
+                                        let _e1031 = local_1.len;
+                                        local_1.len = (_e1031 + 1u);
                                     }
                                 }
-                                local_1.group = (_e224 + _e993);
-                                let _e1033 = local_4;
-                                local_1.group_mask = ((_e1033 & 4278190080u) | (_e997 >> bitcast<u32>(24i)));
+                                local_1.group = (_e224 + _e995);
+                                let _e1035 = local_4;
+                                local_1.group_mask = ((_e1035 & 4278190080u) | (_e999 >> bitcast<u32>(24i)));
                             }
-                            let _e1038 = local_5;
-                            phi_1175_ = (_e1038 & 16777215u);
+                            let _e1040 = local_5;
+                            phi_1177_ = (_e1040 & 16777215u);
+                            phi_1180_ = _e607;
                             loop {
-                                let _e1041 = phi_1175_;
-                                let _e1042 = (_e1041 == 0u);
-                                local_11 = _e1042;
-                                local_18 = _e1042;
-                                if _e1042 {
-                                    phi_1176_ = u32();
-                                    phi_2836_ = false;
+                                let _e1043 = phi_1177_;
+                                let _e1045 = phi_1180_;
+                                local_16 = _e1045;
+                                let _e1046 = (_e1043 == 0u);
+                                local_11 = _e1046;
+                                local_17 = _e1046;
+                                if _e1046 {
+                                    phi_1178_ = u32();
+                                    phi_1181_ = bool();
+                                    phi_2824_ = false;
                                 } else {
-                                    let _e1045 = nodes.member[(0u + _e605)].links[1u];
-                                    let _e1049 = (_e1045 + select(firstTrailingBit(_e1041), 32u, (_e1041 == 0u)));
-                                    if (_e1049 < arrayLength((&instances.member))) {
+                                    let _e1049 = nodes.member[(0u + _e605)].links[1u];
+                                    let _e1053 = (_e1049 + select(firstTrailingBit(_e1043), 32u, (_e1043 == 0u)));
+                                    if (_e1053 < arrayLength((&instances.member))) {
                                     } else {
                                         return;
                                     }
-                                    let _e1056 = instances.member[(0u + _e1049)].low_world;
-                                    let _e1058 = instances.member[(0u + _e1049)].high_world;
-                                    let _e1065 = ((_e1056.x - _e241) * _e399);
-                                    let _e1066 = ((_e1056.y - _e243) * _e409);
-                                    let _e1067 = ((_e1056.z - _e245) * _e419);
-                                    let _e1074 = ((_e1058.x - _e241) * _e399);
-                                    let _e1075 = ((_e1058.y - _e243) * _e409);
-                                    let _e1076 = ((_e1058.z - _e245) * _e419);
-                                    if (_e1065 < _e1074) {
-                                        phi_1225_ = _e1065;
+                                    let _e1060 = instances.member[(0u + _e1053)].low_world;
+                                    let _e1062 = instances.member[(0u + _e1053)].high_world;
+                                    let _e1069 = ((_e1060.x - _e241) * _e399);
+                                    let _e1070 = ((_e1060.y - _e243) * _e409);
+                                    let _e1071 = ((_e1060.z - _e245) * _e419);
+                                    let _e1078 = ((_e1062.x - _e241) * _e399);
+                                    let _e1079 = ((_e1062.y - _e243) * _e409);
+                                    let _e1080 = ((_e1062.z - _e245) * _e419);
+                                    if (_e1069 < _e1078) {
+                                        phi_1229_ = _e1069;
                                     } else {
-                                        phi_1225_ = _e1074;
+                                        phi_1229_ = _e1078;
                                     }
-                                    let _e1079 = phi_1225_;
-                                    if (_e1066 < _e1075) {
-                                        phi_1230_ = _e1066;
+                                    let _e1083 = phi_1229_;
+                                    if (_e1070 < _e1079) {
+                                        phi_1234_ = _e1070;
                                     } else {
-                                        phi_1230_ = _e1075;
+                                        phi_1234_ = _e1079;
                                     }
-                                    let _e1082 = phi_1230_;
-                                    if (_e1067 < _e1076) {
-                                        phi_1235_ = _e1067;
+                                    let _e1086 = phi_1234_;
+                                    if (_e1071 < _e1080) {
+                                        phi_1239_ = _e1071;
                                     } else {
-                                        phi_1235_ = _e1076;
+                                        phi_1239_ = _e1080;
                                     }
-                                    let _e1085 = phi_1235_;
-                                    if (_e1065 > _e1074) {
-                                        phi_1243_ = _e1065;
+                                    let _e1089 = phi_1239_;
+                                    if (_e1069 > _e1078) {
+                                        phi_1247_ = _e1069;
                                     } else {
-                                        phi_1243_ = _e1074;
+                                        phi_1247_ = _e1078;
                                     }
-                                    let _e1091 = phi_1243_;
-                                    if (_e1066 > _e1075) {
-                                        phi_1248_ = _e1066;
+                                    let _e1095 = phi_1247_;
+                                    if (_e1070 > _e1079) {
+                                        phi_1252_ = _e1070;
                                     } else {
-                                        phi_1248_ = _e1075;
+                                        phi_1252_ = _e1079;
                                     }
-                                    let _e1094 = phi_1248_;
-                                    if (_e1067 > _e1076) {
-                                        phi_1253_ = _e1067;
+                                    let _e1098 = phi_1252_;
+                                    if (_e1071 > _e1080) {
+                                        phi_1257_ = _e1071;
                                     } else {
-                                        phi_1253_ = _e1076;
+                                        phi_1257_ = _e1080;
                                     }
-                                    let _e1097 = phi_1253_;
-                                    let _e1101 = core_intrinsics_maximum_number_nsz_f32_((_e1079 - _e454), (_e1082 - _e455));
-                                    let _e1102 = core_intrinsics_maximum_number_nsz_f32_(_e1101, (_e1085 - _e456));
-                                    let _e1103 = core_intrinsics_minimum_number_nsz_f32_((_e1091 + _e454), (_e1094 + _e455));
-                                    let _e1104 = core_intrinsics_minimum_number_nsz_f32_(_e1103, (_e1097 + _e456));
-                                    if (_e1102 <= _e1104) {
-                                        if (_e1102 <= _e251) {
-                                            if (_e1104 >= 0f) {
-                                                let _e1110 = instances.member[(0u + _e1049)].world_to_object[0u];
-                                                let _e1121 = ((((_e1110.x * _e241) + (_e1110.y * _e243)) + (_e1110.z * _e245)) + (_e1110.w * 1f));
-                                                let _e1123 = instances.member[(0u + _e1049)].world_to_object[1u];
-                                                let _e1134 = ((((_e1123.x * _e241) + (_e1123.y * _e243)) + (_e1123.z * _e245)) + (_e1123.w * 1f));
-                                                let _e1136 = instances.member[(0u + _e1049)].world_to_object[2u];
-                                                let _e1147 = ((((_e1136.x * _e241) + (_e1136.y * _e243)) + (_e1136.z * _e245)) + (_e1136.w * 1f));
-                                                let _e1150 = instances.member[(0u + _e1049)].world_to_object[0u];
-                                                let _e1161 = ((((_e1150.x * _e259) + (_e1150.y * _e260)) + (_e1150.z * _e261)) + (_e1150.w * 0f));
-                                                let _e1163 = instances.member[(0u + _e1049)].world_to_object[1u];
-                                                let _e1174 = ((((_e1163.x * _e259) + (_e1163.y * _e260)) + (_e1163.z * _e261)) + (_e1163.w * 0f));
-                                                let _e1176 = instances.member[(0u + _e1049)].world_to_object[2u];
-                                                let _e1187 = ((((_e1176.x * _e259) + (_e1176.y * _e260)) + (_e1176.z * _e261)) + (_e1176.w * 0f));
-                                                let _e1190 = instances.member[(0u + _e1049)].root;
-                                                let _e1192 = instances.member[(0u + _e1049)].first_triangle;
-                                                let _e1196 = abs(_e1161);
-                                                let _e1197 = abs(_e1174);
-                                                let _e1198 = abs(_e1187);
-                                                if (abs(_e1121) < 1000000000000000f) {
-                                                    if (abs(_e1134) < 1000000000000000f) {
-                                                        if (abs(_e1147) < 1000000000000000f) {
-                                                            if (_e1196 < 1000000000000000f) {
-                                                                if (_e1197 < 1000000000000000f) {
-                                                                    if (_e1198 < 1000000000000000f) {
-                                                                        if (_e1196 > 0f) {
-                                                                            phi_1398_ = bool();
-                                                                            phi_1399_ = true;
-                                                                        } else {
-                                                                            let _e1206 = (_e1197 > 0f);
-                                                                            if _e1206 {
-                                                                                phi_1397_ = bool();
-                                                                            } else {
-                                                                                phi_1397_ = (_e1198 > 0f);
-                                                                            }
-                                                                            let _e1209 = phi_1397_;
-                                                                            phi_1398_ = _e1209;
-                                                                            phi_1399_ = _e1206;
-                                                                        }
-                                                                        let _e1211 = phi_1398_;
-                                                                        let _e1213 = phi_1399_;
-                                                                        if _e1213 {
+                                    let _e1101 = phi_1257_;
+                                    let _e1105 = core_intrinsics_maximum_number_nsz_f32_((_e1083 - _e454), (_e1086 - _e455));
+                                    let _e1106 = core_intrinsics_maximum_number_nsz_f32_(_e1105, (_e1089 - _e456));
+                                    let _e1107 = core_intrinsics_minimum_number_nsz_f32_((_e1095 + _e454), (_e1098 + _e455));
+                                    let _e1108 = core_intrinsics_minimum_number_nsz_f32_(_e1107, (_e1101 + _e456));
+                                    if (_e1106 <= _e1108) {
+                                        if (_e1106 <= _e251) {
+                                            if (_e1108 >= 0f) {
+                                                let _e1114 = instances.member[(0u + _e1053)].world_to_object[0u];
+                                                let _e1125 = ((((_e1114.x * _e241) + (_e1114.y * _e243)) + (_e1114.z * _e245)) + (_e1114.w * 1f));
+                                                let _e1127 = instances.member[(0u + _e1053)].world_to_object[1u];
+                                                let _e1138 = ((((_e1127.x * _e241) + (_e1127.y * _e243)) + (_e1127.z * _e245)) + (_e1127.w * 1f));
+                                                let _e1140 = instances.member[(0u + _e1053)].world_to_object[2u];
+                                                let _e1151 = ((((_e1140.x * _e241) + (_e1140.y * _e243)) + (_e1140.z * _e245)) + (_e1140.w * 1f));
+                                                let _e1154 = instances.member[(0u + _e1053)].world_to_object[0u];
+                                                let _e1165 = ((((_e1154.x * _e259) + (_e1154.y * _e260)) + (_e1154.z * _e261)) + (_e1154.w * 0f));
+                                                let _e1167 = instances.member[(0u + _e1053)].world_to_object[1u];
+                                                let _e1178 = ((((_e1167.x * _e259) + (_e1167.y * _e260)) + (_e1167.z * _e261)) + (_e1167.w * 0f));
+                                                let _e1180 = instances.member[(0u + _e1053)].world_to_object[2u];
+                                                let _e1191 = ((((_e1180.x * _e259) + (_e1180.y * _e260)) + (_e1180.z * _e261)) + (_e1180.w * 0f));
+                                                let _e1194 = instances.member[(0u + _e1053)].root;
+                                                let _e1196 = instances.member[(0u + _e1053)].first_triangle;
+                                                let _e1200 = abs(_e1165);
+                                                let _e1201 = abs(_e1178);
+                                                let _e1202 = abs(_e1191);
+                                                if (abs(_e1125) < 1000000000000000f) {
+                                                    if (abs(_e1138) < 1000000000000000f) {
+                                                        if (abs(_e1151) < 1000000000000000f) {
+                                                            if (_e1200 < 1000000000000000f) {
+                                                                if (_e1201 < 1000000000000000f) {
+                                                                    if (_e1202 < 1000000000000000f) {
+                                                                        if (_e1200 > 0f) {
+                                                                            phi_1402_ = bool();
                                                                             phi_1403_ = true;
                                                                         } else {
-                                                                            phi_1403_ = _e1211;
+                                                                            let _e1210 = (_e1201 > 0f);
+                                                                            if _e1210 {
+                                                                                phi_1401_ = bool();
+                                                                            } else {
+                                                                                phi_1401_ = (_e1202 > 0f);
+                                                                            }
+                                                                            let _e1213 = phi_1401_;
+                                                                            phi_1402_ = _e1213;
+                                                                            phi_1403_ = _e1210;
                                                                         }
-                                                                        let _e1215 = phi_1403_;
-                                                                        phi_1404_ = _e1215;
-                                                                        phi_1405_ = false;
+                                                                        let _e1215 = phi_1402_;
+                                                                        let _e1217 = phi_1403_;
+                                                                        if _e1217 {
+                                                                            phi_1407_ = true;
+                                                                        } else {
+                                                                            phi_1407_ = _e1215;
+                                                                        }
+                                                                        let _e1219 = phi_1407_;
+                                                                        phi_1408_ = _e1219;
+                                                                        phi_1409_ = false;
                                                                     } else {
-                                                                        phi_1404_ = bool();
-                                                                        phi_1405_ = true;
+                                                                        phi_1408_ = bool();
+                                                                        phi_1409_ = true;
                                                                     }
-                                                                    let _e1217 = phi_1404_;
-                                                                    let _e1219 = phi_1405_;
-                                                                    phi_1406_ = _e1217;
-                                                                    phi_1407_ = false;
-                                                                    phi_1408_ = _e1219;
+                                                                    let _e1221 = phi_1408_;
+                                                                    let _e1223 = phi_1409_;
+                                                                    phi_1410_ = _e1221;
+                                                                    phi_1411_ = false;
+                                                                    phi_1412_ = _e1223;
                                                                 } else {
-                                                                    phi_1406_ = bool();
-                                                                    phi_1407_ = true;
-                                                                    phi_1408_ = false;
+                                                                    phi_1410_ = bool();
+                                                                    phi_1411_ = true;
+                                                                    phi_1412_ = false;
                                                                 }
-                                                                let _e1221 = phi_1406_;
-                                                                let _e1223 = phi_1407_;
-                                                                let _e1225 = phi_1408_;
-                                                                phi_1409_ = _e1221;
-                                                                phi_1410_ = _e1223;
-                                                                phi_1411_ = _e1225;
+                                                                let _e1225 = phi_1410_;
+                                                                let _e1227 = phi_1411_;
+                                                                let _e1229 = phi_1412_;
+                                                                phi_1413_ = _e1225;
+                                                                phi_1414_ = _e1227;
+                                                                phi_1415_ = _e1229;
                                                             } else {
-                                                                phi_1409_ = bool();
-                                                                phi_1410_ = true;
-                                                                phi_1411_ = false;
+                                                                phi_1413_ = bool();
+                                                                phi_1414_ = true;
+                                                                phi_1415_ = false;
                                                             }
-                                                            let _e1227 = phi_1409_;
-                                                            let _e1229 = phi_1410_;
-                                                            let _e1231 = phi_1411_;
-                                                            phi_1412_ = _e1227;
-                                                            phi_1413_ = _e1229;
-                                                            phi_1414_ = _e1231;
+                                                            let _e1231 = phi_1413_;
+                                                            let _e1233 = phi_1414_;
+                                                            let _e1235 = phi_1415_;
+                                                            phi_1416_ = _e1231;
+                                                            phi_1417_ = _e1233;
+                                                            phi_1418_ = _e1235;
                                                         } else {
-                                                            phi_1412_ = bool();
-                                                            phi_1413_ = true;
-                                                            phi_1414_ = false;
+                                                            phi_1416_ = bool();
+                                                            phi_1417_ = true;
+                                                            phi_1418_ = false;
                                                         }
-                                                        let _e1233 = phi_1412_;
-                                                        let _e1235 = phi_1413_;
-                                                        let _e1237 = phi_1414_;
-                                                        phi_1415_ = _e1233;
-                                                        phi_1416_ = _e1235;
-                                                        phi_1417_ = _e1237;
+                                                        let _e1237 = phi_1416_;
+                                                        let _e1239 = phi_1417_;
+                                                        let _e1241 = phi_1418_;
+                                                        phi_1419_ = _e1237;
+                                                        phi_1420_ = _e1239;
+                                                        phi_1421_ = _e1241;
                                                     } else {
-                                                        phi_1415_ = bool();
-                                                        phi_1416_ = true;
-                                                        phi_1417_ = false;
+                                                        phi_1419_ = bool();
+                                                        phi_1420_ = true;
+                                                        phi_1421_ = false;
                                                     }
-                                                    let _e1239 = phi_1415_;
-                                                    let _e1241 = phi_1416_;
-                                                    let _e1243 = phi_1417_;
-                                                    phi_1418_ = _e1239;
-                                                    phi_1419_ = _e1241;
-                                                    phi_1420_ = _e1243;
+                                                    let _e1243 = phi_1419_;
+                                                    let _e1245 = phi_1420_;
+                                                    let _e1247 = phi_1421_;
+                                                    phi_1422_ = _e1243;
+                                                    phi_1423_ = _e1245;
+                                                    phi_1424_ = _e1247;
                                                 } else {
-                                                    phi_1418_ = bool();
-                                                    phi_1419_ = true;
-                                                    phi_1420_ = false;
+                                                    phi_1422_ = bool();
+                                                    phi_1423_ = true;
+                                                    phi_1424_ = false;
                                                 }
-                                                let _e1245 = phi_1418_;
-                                                let _e1247 = phi_1419_;
-                                                let _e1249 = phi_1420_;
-                                                if _e1247 {
-                                                    phi_1424_ = true;
-                                                } else {
-                                                    phi_1424_ = _e1249;
-                                                }
-                                                let _e1251 = phi_1424_;
+                                                let _e1249 = phi_1422_;
+                                                let _e1251 = phi_1423_;
+                                                let _e1253 = phi_1424_;
                                                 if _e1251 {
-                                                    phi_1428_ = false;
+                                                    phi_1428_ = true;
                                                 } else {
-                                                    phi_1428_ = _e1245;
+                                                    phi_1428_ = _e1253;
                                                 }
-                                                let _e1253 = phi_1428_;
-                                                if _e1253 {
-                                                    let _e1254 = (_e1190 >= _e64);
-                                                    if _e1254 {
-                                                        phi_2819_ = bool();
+                                                let _e1255 = phi_1428_;
+                                                if _e1255 {
+                                                    phi_1432_ = false;
+                                                } else {
+                                                    phi_1432_ = _e1249;
+                                                }
+                                                let _e1257 = phi_1432_;
+                                                if _e1257 {
+                                                    let _e1258 = (_e1194 >= _e64);
+                                                    if _e1258 {
+                                                        phi_2804_ = bool();
                                                     } else {
-                                                        if (_e1190 < _e64) {
+                                                        if (_e1194 < _e64) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1260 = nodes.member[(0u + _e1190)].frame[0u];
-                                                        let _e1264 = nodes.member[(0u + _e1190)].frame[1u];
-                                                        let _e1268 = nodes.member[(0u + _e1190)].frame[2u];
-                                                        let _e1272 = nodes.member[(0u + _e1190)].frame[0u];
-                                                        let _e1276 = nodes.member[(0u + _e1190)].frame[1u];
-                                                        let _e1280 = nodes.member[(0u + _e1190)].frame[2u];
-                                                        let _e1284 = nodes.member[(0u + _e1190)].frame[3u];
-                                                        let _e1318 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1161), abs(_e1174));
-                                                        let _e1319 = core_intrinsics_maximum_number_nsz_f32_(_e1318, abs(_e1187));
-                                                        let _e1320 = (_e1319 * 0.0000000000009094947f);
-                                                        if (abs(_e1161) < _e1320) {
-                                                            phi_1498_ = _e1320;
+                                                        let _e1264 = nodes.member[(0u + _e1194)].frame[0u];
+                                                        let _e1268 = nodes.member[(0u + _e1194)].frame[1u];
+                                                        let _e1272 = nodes.member[(0u + _e1194)].frame[2u];
+                                                        let _e1276 = nodes.member[(0u + _e1194)].frame[0u];
+                                                        let _e1280 = nodes.member[(0u + _e1194)].frame[1u];
+                                                        let _e1284 = nodes.member[(0u + _e1194)].frame[2u];
+                                                        let _e1288 = nodes.member[(0u + _e1194)].frame[3u];
+                                                        let _e1322 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1165), abs(_e1178));
+                                                        let _e1323 = core_intrinsics_maximum_number_nsz_f32_(_e1322, abs(_e1191));
+                                                        let _e1324 = (_e1323 * 0.0000000000009094947f);
+                                                        if (abs(_e1165) < _e1324) {
+                                                            phi_1502_ = _e1324;
                                                         } else {
-                                                            phi_1498_ = abs(_e1161);
+                                                            phi_1502_ = abs(_e1165);
                                                         }
-                                                        let _e1325 = phi_1498_;
-                                                        if (_e1161 < 0f) {
-                                                            phi_1505_ = (-1f / _e1325);
+                                                        let _e1329 = phi_1502_;
+                                                        if (_e1165 < 0f) {
+                                                            phi_1509_ = (-1f / _e1329);
                                                         } else {
-                                                            phi_1505_ = (1f / _e1325);
+                                                            phi_1509_ = (1f / _e1329);
                                                         }
-                                                        let _e1330 = phi_1505_;
-                                                        if (abs(_e1174) < _e1320) {
-                                                            phi_1512_ = _e1320;
+                                                        let _e1334 = phi_1509_;
+                                                        if (abs(_e1178) < _e1324) {
+                                                            phi_1516_ = _e1324;
                                                         } else {
-                                                            phi_1512_ = abs(_e1174);
+                                                            phi_1516_ = abs(_e1178);
                                                         }
-                                                        let _e1335 = phi_1512_;
-                                                        if (_e1174 < 0f) {
-                                                            phi_1519_ = (-1f / _e1335);
+                                                        let _e1339 = phi_1516_;
+                                                        if (_e1178 < 0f) {
+                                                            phi_1523_ = (-1f / _e1339);
                                                         } else {
-                                                            phi_1519_ = (1f / _e1335);
+                                                            phi_1523_ = (1f / _e1339);
                                                         }
-                                                        let _e1340 = phi_1519_;
-                                                        if (abs(_e1187) < _e1320) {
-                                                            phi_1526_ = _e1320;
+                                                        let _e1344 = phi_1523_;
+                                                        if (abs(_e1191) < _e1324) {
+                                                            phi_1530_ = _e1324;
                                                         } else {
-                                                            phi_1526_ = abs(_e1187);
+                                                            phi_1530_ = abs(_e1191);
                                                         }
-                                                        let _e1345 = phi_1526_;
-                                                        if (_e1187 < 0f) {
-                                                            phi_1533_ = (-1f / _e1345);
+                                                        let _e1349 = phi_1530_;
+                                                        if (_e1191 < 0f) {
+                                                            phi_1537_ = (-1f / _e1349);
                                                         } else {
-                                                            phi_1533_ = (1f / _e1345);
+                                                            phi_1537_ = (1f / _e1349);
                                                         }
-                                                        let _e1350 = phi_1533_;
-                                                        let _e1354 = abs((bitcast<f32>(_e1260) - _e1121));
-                                                        let _e1355 = abs((bitcast<f32>(_e1264) - _e1134));
-                                                        let _e1356 = abs((bitcast<f32>(_e1268) - _e1147));
-                                                        let _e1360 = abs(((bitcast<f32>(_e1272) + (bitcast<f32>((((_e1284 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1121));
-                                                        let _e1361 = abs(((bitcast<f32>(_e1276) + (bitcast<f32>((((_e1284 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1134));
-                                                        let _e1362 = abs(((bitcast<f32>(_e1280) + (bitcast<f32>((((_e1284 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1147));
-                                                        if (_e1354 > _e1360) {
-                                                            phi_1550_ = _e1354;
+                                                        let _e1354 = phi_1537_;
+                                                        let _e1358 = abs((bitcast<f32>(_e1264) - _e1125));
+                                                        let _e1359 = abs((bitcast<f32>(_e1268) - _e1138));
+                                                        let _e1360 = abs((bitcast<f32>(_e1272) - _e1151));
+                                                        let _e1364 = abs(((bitcast<f32>(_e1276) + (bitcast<f32>((((_e1288 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1125));
+                                                        let _e1365 = abs(((bitcast<f32>(_e1280) + (bitcast<f32>((((_e1288 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1138));
+                                                        let _e1366 = abs(((bitcast<f32>(_e1284) + (bitcast<f32>((((_e1288 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1151));
+                                                        if (_e1358 > _e1364) {
+                                                            phi_1554_ = _e1358;
                                                         } else {
-                                                            phi_1550_ = _e1360;
+                                                            phi_1554_ = _e1364;
                                                         }
-                                                        let _e1365 = phi_1550_;
-                                                        if (_e1355 > _e1361) {
-                                                            phi_1555_ = _e1355;
+                                                        let _e1369 = phi_1554_;
+                                                        if (_e1359 > _e1365) {
+                                                            phi_1559_ = _e1359;
                                                         } else {
-                                                            phi_1555_ = _e1361;
+                                                            phi_1559_ = _e1365;
                                                         }
-                                                        let _e1368 = phi_1555_;
-                                                        if (_e1356 > _e1362) {
-                                                            phi_1560_ = _e1356;
+                                                        let _e1372 = phi_1559_;
+                                                        if (_e1360 > _e1366) {
+                                                            phi_1564_ = _e1360;
                                                         } else {
-                                                            phi_1560_ = _e1362;
+                                                            phi_1564_ = _e1366;
                                                         }
-                                                        let _e1371 = phi_1560_;
-                                                        let _e1372 = core_intrinsics_maximum_number_nsz_f32_(_e1365, _e1368);
-                                                        let _e1373 = core_intrinsics_maximum_number_nsz_f32_(_e1372, _e1371);
-                                                        let _e1377 = (_e1373 * 0.0000019073486f);
-                                                        let _e1378 = (abs(_e1330) * _e1377);
-                                                        let _e1379 = (abs(_e1340) * _e1377);
-                                                        let _e1380 = (abs(_e1350) * _e1377);
-                                                        let _e1384 = (_e1373 * 0.0000009536743f);
-                                                        let _e1385 = (abs(_e1330) * _e1384);
-                                                        let _e1386 = (abs(_e1340) * _e1384);
-                                                        let _e1387 = (abs(_e1350) * _e1384);
-                                                        let _e1388 = abs(_e1161);
-                                                        let _e1389 = abs(_e1174);
-                                                        let _e1390 = abs(_e1187);
-                                                        if (_e1388 >= _e1389) {
-                                                            if (_e1388 >= _e1390) {
-                                                                phi_1588_ = false;
+                                                        let _e1375 = phi_1564_;
+                                                        let _e1376 = core_intrinsics_maximum_number_nsz_f32_(_e1369, _e1372);
+                                                        let _e1377 = core_intrinsics_maximum_number_nsz_f32_(_e1376, _e1375);
+                                                        let _e1381 = (_e1377 * 0.0000019073486f);
+                                                        let _e1382 = (abs(_e1334) * _e1381);
+                                                        let _e1383 = (abs(_e1344) * _e1381);
+                                                        let _e1384 = (abs(_e1354) * _e1381);
+                                                        let _e1388 = (_e1377 * 0.0000009536743f);
+                                                        let _e1389 = (abs(_e1334) * _e1388);
+                                                        let _e1390 = (abs(_e1344) * _e1388);
+                                                        let _e1391 = (abs(_e1354) * _e1388);
+                                                        let _e1392 = abs(_e1165);
+                                                        let _e1393 = abs(_e1178);
+                                                        let _e1394 = abs(_e1191);
+                                                        if (_e1392 >= _e1393) {
+                                                            if (_e1392 >= _e1394) {
+                                                                phi_1592_ = false;
                                                             } else {
-                                                                phi_1588_ = true;
+                                                                phi_1592_ = true;
                                                             }
-                                                            let _e1394 = phi_1588_;
-                                                            phi_1589_ = _e1394;
+                                                            let _e1398 = phi_1592_;
+                                                            phi_1593_ = _e1398;
                                                         } else {
-                                                            phi_1589_ = true;
+                                                            phi_1593_ = true;
                                                         }
-                                                        let _e1396 = phi_1589_;
-                                                        if _e1396 {
-                                                            if (_e1389 >= _e1390) {
-                                                                phi_1597_ = 1u;
+                                                        let _e1400 = phi_1593_;
+                                                        if _e1400 {
+                                                            if (_e1393 >= _e1394) {
+                                                                phi_1601_ = 1u;
                                                             } else {
-                                                                phi_1597_ = 2u;
+                                                                phi_1601_ = 2u;
                                                             }
-                                                            let _e1399 = phi_1597_;
-                                                            phi_1598_ = _e1399;
+                                                            let _e1403 = phi_1601_;
+                                                            phi_1602_ = _e1403;
                                                         } else {
-                                                            phi_1598_ = 0u;
+                                                            phi_1602_ = 0u;
                                                         }
-                                                        let _e1401 = phi_1598_;
-                                                        if (_e1401 == 0u) {
-                                                            phi_1610_ = vec3<f32>(_e1174, _e1187, _e1161);
+                                                        let _e1405 = phi_1602_;
+                                                        if (_e1405 == 0u) {
+                                                            phi_1614_ = vec3<f32>(_e1178, _e1191, _e1165);
                                                         } else {
-                                                            if (_e1401 == 1u) {
-                                                                phi_1609_ = vec3<f32>(_e1187, _e1161, _e1174);
+                                                            if (_e1405 == 1u) {
+                                                                phi_1613_ = vec3<f32>(_e1191, _e1165, _e1178);
                                                             } else {
-                                                                phi_1609_ = vec3<f32>(_e1161, _e1174, _e1187);
+                                                                phi_1613_ = vec3<f32>(_e1165, _e1178, _e1191);
                                                             }
-                                                            let _e1407 = phi_1609_;
-                                                            phi_1610_ = _e1407;
+                                                            let _e1411 = phi_1613_;
+                                                            phi_1614_ = _e1411;
                                                         }
-                                                        let _e1409 = phi_1610_;
-                                                        let _e1412 = (_e1409.x / _e1409.z);
-                                                        let _e1415 = (_e1409.y / _e1409.z);
-                                                        if (_e1330 < 0f) {
-                                                            phi_1623_ = 0u;
+                                                        let _e1413 = phi_1614_;
+                                                        let _e1416 = (_e1413.x / _e1413.z);
+                                                        let _e1419 = (_e1413.y / _e1413.z);
+                                                        if (_e1334 < 0f) {
+                                                            phi_1627_ = 0u;
                                                         } else {
-                                                            phi_1623_ = 1u;
+                                                            phi_1627_ = 1u;
                                                         }
-                                                        let _e1420 = phi_1623_;
-                                                        if (_e1340 < 0f) {
-                                                            phi_1628_ = 0u;
+                                                        let _e1424 = phi_1627_;
+                                                        if (_e1344 < 0f) {
+                                                            phi_1632_ = 0u;
                                                         } else {
-                                                            phi_1628_ = 2u;
+                                                            phi_1632_ = 2u;
                                                         }
-                                                        let _e1423 = phi_1628_;
-                                                        if (_e1350 < 0f) {
-                                                            phi_1633_ = 0u;
+                                                        let _e1427 = phi_1632_;
+                                                        if (_e1354 < 0f) {
+                                                            phi_1637_ = 0u;
                                                         } else {
-                                                            phi_1633_ = 4u;
+                                                            phi_1637_ = 4u;
                                                         }
-                                                        let _e1426 = phi_1633_;
-                                                        let _e1428 = ((_e1420 | _e1423) | _e1426);
-                                                        let _e1429 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1190, 2147483648u);
-                                                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1429.first[0], _e1429.first[1], _e1429.first[2], _e1429.first[3], _e1429.first[4], _e1429.first[5], _e1429.first[6], _e1429.first[7], _e1429.first[8], _e1429.first[9], _e1429.first[10], _e1429.first[11], _e1429.first[12], _e1429.first[13], _e1429.first[14], _e1429.first[15], _e1429.first[16], _e1429.first[17], _e1429.first[18], _e1429.first[19], _e1429.first[20], _e1429.first[21], _e1429.first[22], _e1429.first[23], _e1429.first[24], _e1429.first[25], _e1429.first[26], _e1429.first[27], _e1429.first[28], _e1429.first[29], _e1429.first[30], _e1429.first[31]), array<u32, 32>(_e1429.mask[0], _e1429.mask[1], _e1429.mask[2], _e1429.mask[3], _e1429.mask[4], _e1429.mask[5], _e1429.mask[6], _e1429.mask[7], _e1429.mask[8], _e1429.mask[9], _e1429.mask[10], _e1429.mask[11], _e1429.mask[12], _e1429.mask[13], _e1429.mask[14], _e1429.mask[15], _e1429.mask[16], _e1429.mask[17], _e1429.mask[18], _e1429.mask[19], _e1429.mask[20], _e1429.mask[21], _e1429.mask[22], _e1429.mask[23], _e1429.mask[24], _e1429.mask[25], _e1429.mask[26], _e1429.mask[27], _e1429.mask[28], _e1429.mask[29], _e1429.mask[30], _e1429.mask[31]), _e1429.len, _e1429.group, _e1429.group_mask);
-                                                        let _e1503 = local.group_mask;
-                                                        if ((_e1503 & 4278190080u) == 0u) {
-                                                            let _e1507 = local.len;
-                                                            if (_e1507 == 0u) {
-                                                                phi_1747_ = false;
+                                                        let _e1430 = phi_1637_;
+                                                        let _e1432 = ((_e1424 | _e1427) | _e1430);
+                                                        let _e1433 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1194, 2147483648u);
+                                                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1433.first[0], _e1433.first[1], _e1433.first[2], _e1433.first[3], _e1433.first[4], _e1433.first[5], _e1433.first[6], _e1433.first[7], _e1433.first[8], _e1433.first[9], _e1433.first[10], _e1433.first[11], _e1433.first[12], _e1433.first[13], _e1433.first[14], _e1433.first[15], _e1433.first[16], _e1433.first[17], _e1433.first[18], _e1433.first[19], _e1433.first[20], _e1433.first[21], _e1433.first[22], _e1433.first[23], _e1433.first[24], _e1433.first[25], _e1433.first[26], _e1433.first[27], _e1433.first[28], _e1433.first[29], _e1433.first[30], _e1433.first[31]), array<u32, 32>(_e1433.mask[0], _e1433.mask[1], _e1433.mask[2], _e1433.mask[3], _e1433.mask[4], _e1433.mask[5], _e1433.mask[6], _e1433.mask[7], _e1433.mask[8], _e1433.mask[9], _e1433.mask[10], _e1433.mask[11], _e1433.mask[12], _e1433.mask[13], _e1433.mask[14], _e1433.mask[15], _e1433.mask[16], _e1433.mask[17], _e1433.mask[18], _e1433.mask[19], _e1433.mask[20], _e1433.mask[21], _e1433.mask[22], _e1433.mask[23], _e1433.mask[24], _e1433.mask[25], _e1433.mask[26], _e1433.mask[27], _e1433.mask[28], _e1433.mask[29], _e1433.mask[30], _e1433.mask[31]), _e1433.len, _e1433.group, _e1433.group_mask);
+                                                        let _e1507 = local.group_mask;
+                                                        if ((_e1507 & 4278190080u) == 0u) {
+                                                            let _e1511 = local.len;
+                                                            if (_e1511 == 0u) {
+                                                                phi_1751_ = false;
                                                             } else {
-                                                                let _e1511 = local.len;
-                                                                local.len = (_e1511 - 1u);
-                                                                let _e1514 = local.len;
-                                                                if (_e1514 < 32u) {
+                                                                let _e1515 = local.len;
+                                                                local.len = (_e1515 - 1u);
+                                                                let _e1518 = local.len;
+                                                                if (_e1518 < 32u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1519 = local.first[(0u + _e1514)];
-                                                                local.group = _e1519;
-                                                                let _e1522 = local.len;
-                                                                if (_e1522 < 32u) {
+                                                                let _e1523 = local.first[(0u + _e1518)];
+                                                                local.group = _e1523;
+                                                                let _e1526 = local.len;
+                                                                if (_e1526 < 32u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1527 = local.mask[(0u + _e1522)];
-                                                                local.group_mask = _e1527;
-                                                                phi_1747_ = true;
+                                                                let _e1531 = local.mask[(0u + _e1526)];
+                                                                local.group_mask = _e1531;
+                                                                phi_1751_ = true;
                                                             }
-                                                            let _e1530 = phi_1747_;
-                                                            phi_1748_ = _e1530;
+                                                            let _e1534 = phi_1751_;
+                                                            phi_1752_ = _e1534;
                                                         } else {
-                                                            phi_1748_ = true;
+                                                            phi_1752_ = true;
                                                         }
-                                                        let _e1532 = phi_1748_;
-                                                        if _e1532 {
-                                                            let _e1534 = local.group_mask;
-                                                            let _e1540 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1534)), 32u, (_e1534 == 0u)));
-                                                            let _e1544 = local.group_mask;
-                                                            let _e1558 = local.group_mask;
-                                                            local.group_mask = (_e1558 & ~((1u << bitcast<u32>((_e1540 & 31u)))));
-                                                            let _e1561 = local.group;
-                                                            phi_1779_ = (_e1561 + countOneBits(((_e1544 & ~((4294967295u << bitcast<u32>((((_e1540 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                        let _e1536 = phi_1752_;
+                                                        if _e1536 {
+                                                            let _e1538 = local.group_mask;
+                                                            let _e1544 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1538)), 32u, (_e1538 == 0u)));
+                                                            let _e1548 = local.group_mask;
+                                                            let _e1562 = local.group_mask;
+                                                            local.group_mask = (_e1562 & ~((1u << bitcast<u32>((_e1544 & 31u)))));
+                                                            let _e1565 = local.group;
+                                                            phi_1783_ = (_e1565 + countOneBits(((_e1548 & ~((4294967295u << bitcast<u32>((((_e1544 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                         } else {
-                                                            phi_1779_ = 4294967295u;
+                                                            phi_1783_ = 4294967295u;
                                                         }
-                                                        let _e1564 = phi_1779_;
-                                                        phi_1781_ = _e1564;
+                                                        let _e1568 = phi_1783_;
+                                                        phi_1785_ = _e1568;
+                                                        phi_1788_ = _e1045;
                                                         loop {
-                                                            let _e1566 = phi_1781_;
-                                                            if (_e1566 != 4294967295u) {
-                                                                if (_e1566 < _e64) {
+                                                            let _e1570 = phi_1785_;
+                                                            let _e1572 = phi_1788_;
+                                                            local_15 = _e1572;
+                                                            if (_e1570 != 4294967295u) {
+                                                                if (_e1570 < _e64) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1573 = nodes.member[(0u + _e1566)].frame[3u];
-                                                                let _e1598 = (bitcast<f32>((((_e1573 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1330);
-                                                                let _e1599 = (bitcast<f32>((((_e1573 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1340);
-                                                                let _e1600 = (bitcast<f32>((((_e1573 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1350);
-                                                                let _e1603 = nodes.member[(0u + _e1566)].frame[0u];
-                                                                let _e1607 = nodes.member[(0u + _e1566)].frame[1u];
-                                                                let _e1611 = nodes.member[(0u + _e1566)].frame[2u];
-                                                                let _e1616 = ((bitcast<f32>(_e1603) - _e1121) * _e1330);
-                                                                let _e1617 = ((bitcast<f32>(_e1607) - _e1134) * _e1340);
-                                                                let _e1618 = ((bitcast<f32>(_e1611) - _e1147) * _e1350);
-                                                                let _e1626 = nodes.member[(0u + _e1566)].x;
-                                                                if (_e1330 < 0f) {
-                                                                    let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1626.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1637.unnamed.root, _e1626.w), _e1637.unnamed_1);
-                                                                    let _e1649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1643.unnamed, lt_bvh_traverse_Tree(_e1626.x, _e1643.unnamed_1.first_primitive));
-                                                                    phi_1862_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1649.unnamed, lt_bvh_traverse_Tree(_e1649.unnamed_1.root, _e1626.y));
+                                                                let _e1579 = nodes.member[(0u + _e1570)].frame[3u];
+                                                                let _e1604 = (bitcast<f32>((((_e1579 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1334);
+                                                                let _e1605 = (bitcast<f32>((((_e1579 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1344);
+                                                                let _e1606 = (bitcast<f32>((((_e1579 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1354);
+                                                                let _e1609 = nodes.member[(0u + _e1570)].frame[0u];
+                                                                let _e1613 = nodes.member[(0u + _e1570)].frame[1u];
+                                                                let _e1617 = nodes.member[(0u + _e1570)].frame[2u];
+                                                                let _e1622 = ((bitcast<f32>(_e1609) - _e1125) * _e1334);
+                                                                let _e1623 = ((bitcast<f32>(_e1613) - _e1138) * _e1344);
+                                                                let _e1624 = ((bitcast<f32>(_e1617) - _e1151) * _e1354);
+                                                                let _e1632 = nodes.member[(0u + _e1570)].x;
+                                                                if (_e1334 < 0f) {
+                                                                    let _e1643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1632.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1643.unnamed.root, _e1632.w), _e1643.unnamed_1);
+                                                                    let _e1655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1649.unnamed, lt_bvh_traverse_Tree(_e1632.x, _e1649.unnamed_1.first_primitive));
+                                                                    phi_1868_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1655.unnamed, lt_bvh_traverse_Tree(_e1655.unnamed_1.root, _e1632.y));
                                                                 } else {
-                                                                    let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1626.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.unnamed.root, _e1626.y), _e1665.unnamed_1);
-                                                                    let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1671.unnamed, lt_bvh_traverse_Tree(_e1626.z, _e1671.unnamed_1.first_primitive));
-                                                                    phi_1862_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1677.unnamed_1.root, _e1626.w));
+                                                                    let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1632.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1671.unnamed.root, _e1632.y), _e1671.unnamed_1);
+                                                                    let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1632.z, _e1677.unnamed_1.first_primitive));
+                                                                    phi_1868_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_bvh_traverse_Tree(_e1683.unnamed_1.root, _e1632.w));
                                                                 }
-                                                                let _e1685 = phi_1862_;
-                                                                let _e1695 = nodes.member[(0u + _e1566)].y;
-                                                                if (_e1340 < 0f) {
-                                                                    let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1695.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1706.unnamed.root, _e1695.w), _e1706.unnamed_1);
-                                                                    let _e1718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1712.unnamed, lt_bvh_traverse_Tree(_e1695.x, _e1712.unnamed_1.first_primitive));
-                                                                    phi_1889_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1718.unnamed, lt_bvh_traverse_Tree(_e1718.unnamed_1.root, _e1695.y));
+                                                                let _e1691 = phi_1868_;
+                                                                let _e1701 = nodes.member[(0u + _e1570)].y;
+                                                                if (_e1344 < 0f) {
+                                                                    let _e1712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1701.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1712.unnamed.root, _e1701.w), _e1712.unnamed_1);
+                                                                    let _e1724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1718.unnamed, lt_bvh_traverse_Tree(_e1701.x, _e1718.unnamed_1.first_primitive));
+                                                                    phi_1895_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1724.unnamed, lt_bvh_traverse_Tree(_e1724.unnamed_1.root, _e1701.y));
                                                                 } else {
-                                                                    let _e1734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1695.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1734.unnamed.root, _e1695.y), _e1734.unnamed_1);
-                                                                    let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1740.unnamed, lt_bvh_traverse_Tree(_e1695.z, _e1740.unnamed_1.first_primitive));
-                                                                    phi_1889_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1746.unnamed, lt_bvh_traverse_Tree(_e1746.unnamed_1.root, _e1695.w));
+                                                                    let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1701.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1740.unnamed.root, _e1701.y), _e1740.unnamed_1);
+                                                                    let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1746.unnamed, lt_bvh_traverse_Tree(_e1701.z, _e1746.unnamed_1.first_primitive));
+                                                                    phi_1895_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_bvh_traverse_Tree(_e1752.unnamed_1.root, _e1701.w));
                                                                 }
-                                                                let _e1754 = phi_1889_;
-                                                                let _e1764 = nodes.member[(0u + _e1566)].z;
-                                                                if (_e1350 < 0f) {
-                                                                    let _e1775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1764.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1775.unnamed.root, _e1764.w), _e1775.unnamed_1);
-                                                                    let _e1787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1781.unnamed, lt_bvh_traverse_Tree(_e1764.x, _e1781.unnamed_1.first_primitive));
-                                                                    phi_1916_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1787.unnamed, lt_bvh_traverse_Tree(_e1787.unnamed_1.root, _e1764.y));
+                                                                let _e1760 = phi_1895_;
+                                                                let _e1770 = nodes.member[(0u + _e1570)].z;
+                                                                if (_e1354 < 0f) {
+                                                                    let _e1781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1770.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1781.unnamed.root, _e1770.w), _e1781.unnamed_1);
+                                                                    let _e1793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1787.unnamed, lt_bvh_traverse_Tree(_e1770.x, _e1787.unnamed_1.first_primitive));
+                                                                    phi_1922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1793.unnamed, lt_bvh_traverse_Tree(_e1793.unnamed_1.root, _e1770.y));
                                                                 } else {
-                                                                    let _e1803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1764.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1803.unnamed.root, _e1764.y), _e1803.unnamed_1);
-                                                                    let _e1815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1809.unnamed, lt_bvh_traverse_Tree(_e1764.z, _e1809.unnamed_1.first_primitive));
-                                                                    phi_1916_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1815.unnamed, lt_bvh_traverse_Tree(_e1815.unnamed_1.root, _e1764.w));
+                                                                    let _e1809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1770.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1809.unnamed.root, _e1770.y), _e1809.unnamed_1);
+                                                                    let _e1821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1815.unnamed, lt_bvh_traverse_Tree(_e1770.z, _e1815.unnamed_1.first_primitive));
+                                                                    phi_1922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1821.unnamed, lt_bvh_traverse_Tree(_e1821.unnamed_1.root, _e1770.w));
                                                                 }
-                                                                let _e1823 = phi_1916_;
-                                                                phi_1922_ = 0u;
-                                                                phi_1925_ = 0u;
+                                                                let _e1829 = phi_1922_;
+                                                                phi_1928_ = 0u;
+                                                                phi_1931_ = 0u;
                                                                 loop {
-                                                                    let _e1833 = phi_1922_;
-                                                                    let _e1835 = phi_1925_;
-                                                                    local_6 = _e1835;
-                                                                    local_7 = _e1835;
-                                                                    local_8 = _e1835;
-                                                                    let _e1836 = (_e1833 < 8u);
-                                                                    if _e1836 {
-                                                                        let _e1838 = (_e1833 >> bitcast<u32>(2i));
-                                                                        let _e1839 = (_e1833 & 3u);
-                                                                        if (_e1838 == 0u) {
-                                                                            phi_1939_ = _e1685.unnamed.root;
+                                                                    let _e1839 = phi_1928_;
+                                                                    let _e1841 = phi_1931_;
+                                                                    local_6 = _e1841;
+                                                                    local_7 = _e1841;
+                                                                    local_8 = _e1841;
+                                                                    let _e1842 = (_e1839 < 8u);
+                                                                    if _e1842 {
+                                                                        let _e1844 = (_e1839 >> bitcast<u32>(2i));
+                                                                        let _e1845 = (_e1839 & 3u);
+                                                                        if (_e1844 == 0u) {
+                                                                            phi_1945_ = _e1691.unnamed.root;
                                                                         } else {
-                                                                            phi_1939_ = _e1685.unnamed.first_primitive;
+                                                                            phi_1945_ = _e1691.unnamed.first_primitive;
                                                                         }
-                                                                        let _e1842 = phi_1939_;
-                                                                        if (_e1838 == 0u) {
-                                                                            phi_1949_ = _e1754.unnamed.root;
+                                                                        let _e1848 = phi_1945_;
+                                                                        if (_e1844 == 0u) {
+                                                                            phi_1955_ = _e1760.unnamed.root;
                                                                         } else {
-                                                                            phi_1949_ = _e1754.unnamed.first_primitive;
+                                                                            phi_1955_ = _e1760.unnamed.first_primitive;
                                                                         }
-                                                                        let _e1851 = phi_1949_;
-                                                                        if (_e1838 == 0u) {
-                                                                            phi_1959_ = _e1823.unnamed.root;
+                                                                        let _e1857 = phi_1955_;
+                                                                        if (_e1844 == 0u) {
+                                                                            phi_1965_ = _e1829.unnamed.root;
                                                                         } else {
-                                                                            phi_1959_ = _e1823.unnamed.first_primitive;
+                                                                            phi_1965_ = _e1829.unnamed.first_primitive;
                                                                         }
-                                                                        let _e1860 = phi_1959_;
-                                                                        let _e1873 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1842 >> bitcast<u32>(((_e1839 * 8u) & 31u))) & 255u)) * _e1598) + (_e1616 - _e1378)), ((f32(((_e1851 >> bitcast<u32>(((_e1839 * 8u) & 31u))) & 255u)) * _e1599) + (_e1617 - _e1379)));
-                                                                        let _e1874 = core_intrinsics_maximum_number_nsz_f32_(_e1873, ((f32(((_e1860 >> bitcast<u32>(((_e1839 * 8u) & 31u))) & 255u)) * _e1600) + (_e1618 - _e1380)));
-                                                                        if (_e1838 == 0u) {
-                                                                            phi_1977_ = _e1685.unnamed_1.root;
+                                                                        let _e1866 = phi_1965_;
+                                                                        let _e1879 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1848 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1604) + (_e1622 - _e1382)), ((f32(((_e1857 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1605) + (_e1623 - _e1383)));
+                                                                        let _e1880 = core_intrinsics_maximum_number_nsz_f32_(_e1879, ((f32(((_e1866 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1606) + (_e1624 - _e1384)));
+                                                                        if (_e1844 == 0u) {
+                                                                            phi_1983_ = _e1691.unnamed_1.root;
                                                                         } else {
-                                                                            phi_1977_ = _e1685.unnamed_1.first_primitive;
+                                                                            phi_1983_ = _e1691.unnamed_1.first_primitive;
                                                                         }
-                                                                        let _e1877 = phi_1977_;
-                                                                        if (_e1838 == 0u) {
-                                                                            phi_1987_ = _e1754.unnamed_1.root;
+                                                                        let _e1883 = phi_1983_;
+                                                                        if (_e1844 == 0u) {
+                                                                            phi_1993_ = _e1760.unnamed_1.root;
                                                                         } else {
-                                                                            phi_1987_ = _e1754.unnamed_1.first_primitive;
+                                                                            phi_1993_ = _e1760.unnamed_1.first_primitive;
                                                                         }
-                                                                        let _e1886 = phi_1987_;
-                                                                        if (_e1838 == 0u) {
-                                                                            phi_1997_ = _e1823.unnamed_1.root;
+                                                                        let _e1892 = phi_1993_;
+                                                                        if (_e1844 == 0u) {
+                                                                            phi_2003_ = _e1829.unnamed_1.root;
                                                                         } else {
-                                                                            phi_1997_ = _e1823.unnamed_1.first_primitive;
+                                                                            phi_2003_ = _e1829.unnamed_1.first_primitive;
                                                                         }
-                                                                        let _e1895 = phi_1997_;
-                                                                        let _e1908 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1877 >> bitcast<u32>(((_e1839 * 8u) & 31u))) & 255u)) * _e1598) + (_e1616 + _e1378)), ((f32(((_e1886 >> bitcast<u32>(((_e1839 * 8u) & 31u))) & 255u)) * _e1599) + (_e1617 + _e1379)));
-                                                                        let _e1909 = core_intrinsics_minimum_number_nsz_f32_(_e1908, ((f32(((_e1895 >> bitcast<u32>(((_e1839 * 8u) & 31u))) & 255u)) * _e1600) + (_e1618 + _e1380)));
-                                                                        if (_e1874 <= _e1909) {
-                                                                            if (_e1874 <= _e251) {
-                                                                                if (_e1909 >= 0f) {
-                                                                                    if (_e1838 == 0u) {
-                                                                                        let _e1916 = nodes.member[(0u + _e1566)].links[2u];
-                                                                                        phi_2033_ = _e1916;
+                                                                        let _e1901 = phi_2003_;
+                                                                        let _e1914 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1883 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1604) + (_e1622 + _e1382)), ((f32(((_e1892 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1605) + (_e1623 + _e1383)));
+                                                                        let _e1915 = core_intrinsics_minimum_number_nsz_f32_(_e1914, ((f32(((_e1901 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1606) + (_e1624 + _e1384)));
+                                                                        if (_e1880 <= _e1915) {
+                                                                            if (_e1880 <= _e251) {
+                                                                                if (_e1915 >= 0f) {
+                                                                                    if (_e1844 == 0u) {
+                                                                                        let _e1922 = nodes.member[(0u + _e1570)].links[2u];
+                                                                                        phi_2039_ = _e1922;
                                                                                     } else {
-                                                                                        let _e1919 = nodes.member[(0u + _e1566)].links[3u];
-                                                                                        phi_2033_ = _e1919;
+                                                                                        let _e1925 = nodes.member[(0u + _e1570)].links[3u];
+                                                                                        phi_2039_ = _e1925;
                                                                                     }
-                                                                                    let _e1921 = phi_2033_;
-                                                                                    let _e1926 = ((_e1921 >> bitcast<u32>(((_e1839 * 8u) & 31u))) & 255u);
-                                                                                    let _e1927 = (_e1926 & 31u);
-                                                                                    if (_e1927 >= 24u) {
-                                                                                        phi_2046_ = (24u + ((_e1927 - 24u) ^ _e1428));
+                                                                                    let _e1927 = phi_2039_;
+                                                                                    let _e1932 = ((_e1927 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u);
+                                                                                    let _e1933 = (_e1932 & 31u);
+                                                                                    if (_e1933 >= 24u) {
+                                                                                        phi_2052_ = (24u + ((_e1933 - 24u) ^ _e1432));
                                                                                     } else {
-                                                                                        phi_2046_ = _e1927;
+                                                                                        phi_2052_ = _e1933;
                                                                                     }
-                                                                                    let _e1933 = phi_2046_;
-                                                                                    phi_2051_ = (_e1835 | ((_e1926 >> bitcast<u32>(5i)) << bitcast<u32>((_e1933 & 31u))));
+                                                                                    let _e1939 = phi_2052_;
+                                                                                    phi_2057_ = (_e1841 | ((_e1932 >> bitcast<u32>(5i)) << bitcast<u32>((_e1939 & 31u))));
                                                                                 } else {
-                                                                                    phi_2051_ = _e1835;
+                                                                                    phi_2057_ = _e1841;
                                                                                 }
-                                                                                let _e1941 = phi_2051_;
-                                                                                phi_2052_ = _e1941;
+                                                                                let _e1947 = phi_2057_;
+                                                                                phi_2058_ = _e1947;
                                                                             } else {
-                                                                                phi_2052_ = _e1835;
+                                                                                phi_2058_ = _e1841;
                                                                             }
-                                                                            let _e1943 = phi_2052_;
-                                                                            phi_2053_ = _e1943;
+                                                                            let _e1949 = phi_2058_;
+                                                                            phi_2059_ = _e1949;
                                                                         } else {
-                                                                            phi_2053_ = _e1835;
+                                                                            phi_2059_ = _e1841;
                                                                         }
-                                                                        let _e1945 = phi_2053_;
-                                                                        phi_1923_ = (_e1833 + 1u);
-                                                                        phi_1926_ = _e1945;
+                                                                        let _e1951 = phi_2059_;
+                                                                        phi_1929_ = (_e1839 + 1u);
+                                                                        phi_1932_ = _e1951;
                                                                     } else {
-                                                                        phi_1923_ = u32();
-                                                                        phi_1926_ = u32();
+                                                                        phi_1929_ = u32();
+                                                                        phi_1932_ = u32();
                                                                     }
-                                                                    let _e1948 = phi_1923_;
-                                                                    let _e1950 = phi_1926_;
+                                                                    let _e1954 = phi_1929_;
+                                                                    let _e1956 = phi_1932_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_1922_ = _e1948;
-                                                                        phi_1925_ = _e1950;
-                                                                        break if !(_e1836);
+                                                                        phi_1928_ = _e1954;
+                                                                        phi_1931_ = _e1956;
+                                                                        break if !(_e1842);
                                                                     }
                                                                 }
-                                                                let _e1954 = nodes.member[(0u + _e1566)].links[0u];
-                                                                let _e1958 = nodes.member[(0u + _e1566)].frame[3u];
-                                                                let _e1962 = local_6;
-                                                                if ((_e1962 & 4278190080u) == 0u) {
+                                                                let _e1960 = nodes.member[(0u + _e1570)].links[0u];
+                                                                let _e1964 = nodes.member[(0u + _e1570)].frame[3u];
+                                                                let _e1968 = local_6;
+                                                                if ((_e1968 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1966 = local.group_mask;
-                                                                    if ((_e1966 & 4278190080u) == 0u) {
+                                                                    let _e1972 = local.group_mask;
+                                                                    if ((_e1972 & 4278190080u) == 0u) {
                                                                     } else {
-                                                                        let _e1970 = local.len;
-                                                                        if (_e1970 < 32u) {
-                                                                            let _e1973 = local.group;
-                                                                            let _e1975 = local.len;
-                                                                            if (_e1975 < 32u) {
+                                                                        let _e1976 = local.len;
+                                                                        if (_e1976 < 32u) {
+                                                                            let _e1979 = local.group;
+                                                                            let _e1981 = local.len;
+                                                                            if (_e1981 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            local.first[(0u + _e1975)] = _e1973;
-                                                                            let _e1981 = local.group_mask;
-                                                                            let _e1983 = local.len;
-                                                                            if (_e1983 < 32u) {
+                                                                            local.first[(0u + _e1981)] = _e1979;
+                                                                            let _e1987 = local.group_mask;
+                                                                            let _e1989 = local.len;
+                                                                            if (_e1989 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            local.mask[(0u + _e1983)] = _e1981;
-                                                                            let _e1990 = local.len;
-                                                                            local.len = (_e1990 + 1u);
+                                                                            local.mask[(0u + _e1989)] = _e1987;
+                                                                            let _e1996 = local.len;
+                                                                            local.len = (_e1996 + 1u);
                                                                         }
                                                                     }
-                                                                    local.group = (_e1190 + _e1954);
-                                                                    let _e1994 = local_7;
-                                                                    local.group_mask = ((_e1994 & 4278190080u) | (_e1958 >> bitcast<u32>(24i)));
+                                                                    local.group = (_e1194 + _e1960);
+                                                                    let _e2000 = local_7;
+                                                                    local.group_mask = ((_e2000 & 4278190080u) | (_e1964 >> bitcast<u32>(24i)));
                                                                 }
-                                                                let _e1999 = local_8;
-                                                                phi_2111_ = (_e1999 & 16777215u);
+                                                                let _e2005 = local_8;
+                                                                phi_2117_ = (_e2005 & 16777215u);
+                                                                phi_2120_ = _e1572;
                                                                 loop {
-                                                                    let _e2002 = phi_2111_;
-                                                                    let _e2003 = (_e2002 == 0u);
-                                                                    local_9 = _e2003;
-                                                                    local_15 = _e2003;
-                                                                    if _e2003 {
-                                                                        phi_2112_ = u32();
-                                                                        phi_2722_ = false;
-                                                                        phi_2723_ = false;
-                                                                        phi_2724_ = false;
+                                                                    let _e2008 = phi_2117_;
+                                                                    let _e2010 = phi_2120_;
+                                                                    local_13 = _e2010;
+                                                                    let _e2011 = (_e2008 == 0u);
+                                                                    local_9 = _e2011;
+                                                                    local_14 = _e2011;
+                                                                    if _e2011 {
+                                                                        phi_2118_ = u32();
+                                                                        phi_2121_ = bool();
+                                                                        phi_2718_ = false;
                                                                     } else {
-                                                                        let _e2006 = nodes.member[(0u + _e1566)].links[1u];
-                                                                        let _e2011 = ((_e1192 + _e2006) + select(firstTrailingBit(_e2002), 32u, (_e2002 == 0u)));
-                                                                        if (_e2011 < arrayLength((&triangles.member))) {
+                                                                        let _e2014 = nodes.member[(0u + _e1570)].links[1u];
+                                                                        let _e2019 = ((_e1196 + _e2014) + select(firstTrailingBit(_e2008), 32u, (_e2008 == 0u)));
+                                                                        if (_e2019 < arrayLength((&triangles.member))) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2018 = triangles.member[(0u + _e2011)].v0_;
-                                                                        let _e2020 = (_e2018.x - _e1121);
-                                                                        let _e2022 = (_e2018.y - _e1134);
-                                                                        let _e2024 = (_e2018.z - _e1147);
-                                                                        if (_e1401 == 0u) {
-                                                                            phi_2157_ = vec3<f32>(_e2022, _e2024, _e2020);
+                                                                        let _e2026 = triangles.member[(0u + _e2019)].v0_;
+                                                                        let _e2028 = (_e2026.x - _e1125);
+                                                                        let _e2030 = (_e2026.y - _e1138);
+                                                                        let _e2032 = (_e2026.z - _e1151);
+                                                                        if (_e1405 == 0u) {
+                                                                            phi_2165_ = vec3<f32>(_e2030, _e2032, _e2028);
                                                                         } else {
-                                                                            if (_e1401 == 1u) {
-                                                                                phi_2156_ = vec3<f32>(_e2024, _e2020, _e2022);
+                                                                            if (_e1405 == 1u) {
+                                                                                phi_2164_ = vec3<f32>(_e2032, _e2028, _e2030);
                                                                             } else {
-                                                                                phi_2156_ = (_e2018 - vec3<f32>(_e1121, _e1134, _e1147));
+                                                                                phi_2164_ = (_e2026 - vec3<f32>(_e1125, _e1138, _e1151));
                                                                             }
-                                                                            let _e2032 = phi_2156_;
-                                                                            phi_2157_ = _e2032;
+                                                                            let _e2040 = phi_2164_;
+                                                                            phi_2165_ = _e2040;
                                                                         }
-                                                                        let _e2034 = phi_2157_;
-                                                                        let _e2038 = (_e2034.x - (_e1412 * _e2034.z));
-                                                                        let _e2042 = (_e2034.y - (_e1415 * _e2034.z));
-                                                                        let _e2044 = triangles.member[(0u + _e2011)].v1_;
-                                                                        let _e2046 = (_e2044.x - _e1121);
-                                                                        let _e2048 = (_e2044.y - _e1134);
-                                                                        let _e2050 = (_e2044.z - _e1147);
-                                                                        if (_e1401 == 0u) {
-                                                                            phi_2187_ = vec3<f32>(_e2048, _e2050, _e2046);
+                                                                        let _e2042 = phi_2165_;
+                                                                        let _e2046 = (_e2042.x - (_e1416 * _e2042.z));
+                                                                        let _e2050 = (_e2042.y - (_e1419 * _e2042.z));
+                                                                        let _e2052 = triangles.member[(0u + _e2019)].v1_;
+                                                                        let _e2054 = (_e2052.x - _e1125);
+                                                                        let _e2056 = (_e2052.y - _e1138);
+                                                                        let _e2058 = (_e2052.z - _e1151);
+                                                                        if (_e1405 == 0u) {
+                                                                            phi_2195_ = vec3<f32>(_e2056, _e2058, _e2054);
                                                                         } else {
-                                                                            if (_e1401 == 1u) {
-                                                                                phi_2186_ = vec3<f32>(_e2050, _e2046, _e2048);
+                                                                            if (_e1405 == 1u) {
+                                                                                phi_2194_ = vec3<f32>(_e2058, _e2054, _e2056);
                                                                             } else {
-                                                                                phi_2186_ = (_e2044 - vec3<f32>(_e1121, _e1134, _e1147));
+                                                                                phi_2194_ = (_e2052 - vec3<f32>(_e1125, _e1138, _e1151));
                                                                             }
-                                                                            let _e2058 = phi_2186_;
-                                                                            phi_2187_ = _e2058;
+                                                                            let _e2066 = phi_2194_;
+                                                                            phi_2195_ = _e2066;
                                                                         }
-                                                                        let _e2060 = phi_2187_;
-                                                                        let _e2064 = (_e2060.x - (_e1412 * _e2060.z));
-                                                                        let _e2068 = (_e2060.y - (_e1415 * _e2060.z));
-                                                                        let _e2070 = triangles.member[(0u + _e2011)].v2_;
-                                                                        let _e2072 = (_e2070.x - _e1121);
-                                                                        let _e2074 = (_e2070.y - _e1134);
-                                                                        let _e2076 = (_e2070.z - _e1147);
-                                                                        if (_e1401 == 0u) {
-                                                                            phi_2217_ = vec3<f32>(_e2074, _e2076, _e2072);
+                                                                        let _e2068 = phi_2195_;
+                                                                        let _e2072 = (_e2068.x - (_e1416 * _e2068.z));
+                                                                        let _e2076 = (_e2068.y - (_e1419 * _e2068.z));
+                                                                        let _e2078 = triangles.member[(0u + _e2019)].v2_;
+                                                                        let _e2080 = (_e2078.x - _e1125);
+                                                                        let _e2082 = (_e2078.y - _e1138);
+                                                                        let _e2084 = (_e2078.z - _e1151);
+                                                                        if (_e1405 == 0u) {
+                                                                            phi_2225_ = vec3<f32>(_e2082, _e2084, _e2080);
                                                                         } else {
-                                                                            if (_e1401 == 1u) {
-                                                                                phi_2216_ = vec3<f32>(_e2076, _e2072, _e2074);
+                                                                            if (_e1405 == 1u) {
+                                                                                phi_2224_ = vec3<f32>(_e2084, _e2080, _e2082);
                                                                             } else {
-                                                                                phi_2216_ = (_e2070 - vec3<f32>(_e1121, _e1134, _e1147));
+                                                                                phi_2224_ = (_e2078 - vec3<f32>(_e1125, _e1138, _e1151));
                                                                             }
-                                                                            let _e2084 = phi_2216_;
-                                                                            phi_2217_ = _e2084;
+                                                                            let _e2092 = phi_2224_;
+                                                                            phi_2225_ = _e2092;
                                                                         }
-                                                                        let _e2086 = phi_2217_;
-                                                                        let _e2090 = (_e2086.x - (_e1412 * _e2086.z));
-                                                                        let _e2094 = (_e2086.y - (_e1415 * _e2086.z));
-                                                                        if (_e2064 < _e2090) {
-                                                                            phi_2236_ = true;
+                                                                        let _e2094 = phi_2225_;
+                                                                        let _e2098 = (_e2094.x - (_e1416 * _e2094.z));
+                                                                        let _e2102 = (_e2094.y - (_e1419 * _e2094.z));
+                                                                        if (_e2072 < _e2098) {
+                                                                            phi_2244_ = true;
                                                                         } else {
-                                                                            if (_e2064 == _e2090) {
-                                                                                phi_2235_ = (_e2068 < _e2094);
+                                                                            if (_e2072 == _e2098) {
+                                                                                phi_2243_ = (_e2076 < _e2102);
                                                                             } else {
-                                                                                phi_2235_ = false;
+                                                                                phi_2243_ = false;
                                                                             }
-                                                                            let _e2099 = phi_2235_;
-                                                                            phi_2236_ = _e2099;
+                                                                            let _e2107 = phi_2243_;
+                                                                            phi_2244_ = _e2107;
                                                                         }
-                                                                        let _e2101 = phi_2236_;
-                                                                        if _e2101 {
-                                                                            phi_2240_ = _e2094;
-                                                                            phi_2241_ = _e2090;
-                                                                            phi_2242_ = _e2068;
-                                                                            phi_2243_ = _e2064;
+                                                                        let _e2109 = phi_2244_;
+                                                                        if _e2109 {
+                                                                            phi_2248_ = _e2102;
+                                                                            phi_2249_ = _e2098;
+                                                                            phi_2250_ = _e2076;
+                                                                            phi_2251_ = _e2072;
                                                                         } else {
-                                                                            phi_2240_ = _e2068;
-                                                                            phi_2241_ = _e2064;
-                                                                            phi_2242_ = _e2094;
-                                                                            phi_2243_ = _e2090;
+                                                                            phi_2248_ = _e2076;
+                                                                            phi_2249_ = _e2072;
+                                                                            phi_2250_ = _e2102;
+                                                                            phi_2251_ = _e2098;
                                                                         }
-                                                                        let _e2103 = phi_2240_;
-                                                                        let _e2105 = phi_2241_;
-                                                                        let _e2107 = phi_2242_;
-                                                                        let _e2109 = phi_2243_;
-                                                                        let _e2112 = ((_e2109 * _e2103) - (_e2107 * _e2105));
-                                                                        if _e2101 {
-                                                                            phi_2251_ = -(_e2112);
+                                                                        let _e2111 = phi_2248_;
+                                                                        let _e2113 = phi_2249_;
+                                                                        let _e2115 = phi_2250_;
+                                                                        let _e2117 = phi_2251_;
+                                                                        let _e2120 = ((_e2117 * _e2111) - (_e2115 * _e2113));
+                                                                        if _e2109 {
+                                                                            phi_2259_ = -(_e2120);
                                                                         } else {
-                                                                            phi_2251_ = _e2112;
+                                                                            phi_2259_ = _e2120;
                                                                         }
-                                                                        let _e2115 = phi_2251_;
-                                                                        if (_e2090 < _e2038) {
-                                                                            phi_2262_ = true;
+                                                                        let _e2123 = phi_2259_;
+                                                                        if (_e2098 < _e2046) {
+                                                                            phi_2270_ = true;
                                                                         } else {
-                                                                            if (_e2090 == _e2038) {
-                                                                                phi_2261_ = (_e2094 < _e2042);
+                                                                            if (_e2098 == _e2046) {
+                                                                                phi_2269_ = (_e2102 < _e2050);
                                                                             } else {
-                                                                                phi_2261_ = false;
+                                                                                phi_2269_ = false;
                                                                             }
-                                                                            let _e2120 = phi_2261_;
-                                                                            phi_2262_ = _e2120;
+                                                                            let _e2128 = phi_2269_;
+                                                                            phi_2270_ = _e2128;
                                                                         }
-                                                                        let _e2122 = phi_2262_;
-                                                                        if _e2122 {
-                                                                            phi_2266_ = _e2042;
-                                                                            phi_2267_ = _e2038;
-                                                                            phi_2268_ = _e2094;
-                                                                            phi_2269_ = _e2090;
+                                                                        let _e2130 = phi_2270_;
+                                                                        if _e2130 {
+                                                                            phi_2274_ = _e2050;
+                                                                            phi_2275_ = _e2046;
+                                                                            phi_2276_ = _e2102;
+                                                                            phi_2277_ = _e2098;
                                                                         } else {
-                                                                            phi_2266_ = _e2094;
-                                                                            phi_2267_ = _e2090;
-                                                                            phi_2268_ = _e2042;
-                                                                            phi_2269_ = _e2038;
+                                                                            phi_2274_ = _e2102;
+                                                                            phi_2275_ = _e2098;
+                                                                            phi_2276_ = _e2050;
+                                                                            phi_2277_ = _e2046;
                                                                         }
-                                                                        let _e2124 = phi_2266_;
-                                                                        let _e2126 = phi_2267_;
-                                                                        let _e2128 = phi_2268_;
-                                                                        let _e2130 = phi_2269_;
-                                                                        let _e2133 = ((_e2130 * _e2124) - (_e2128 * _e2126));
-                                                                        if _e2122 {
-                                                                            phi_2277_ = -(_e2133);
+                                                                        let _e2132 = phi_2274_;
+                                                                        let _e2134 = phi_2275_;
+                                                                        let _e2136 = phi_2276_;
+                                                                        let _e2138 = phi_2277_;
+                                                                        let _e2141 = ((_e2138 * _e2132) - (_e2136 * _e2134));
+                                                                        if _e2130 {
+                                                                            phi_2285_ = -(_e2141);
                                                                         } else {
-                                                                            phi_2277_ = _e2133;
+                                                                            phi_2285_ = _e2141;
                                                                         }
-                                                                        let _e2136 = phi_2277_;
-                                                                        if (_e2038 < _e2064) {
-                                                                            phi_2288_ = true;
+                                                                        let _e2144 = phi_2285_;
+                                                                        if (_e2046 < _e2072) {
+                                                                            phi_2296_ = true;
                                                                         } else {
-                                                                            if (_e2038 == _e2064) {
-                                                                                phi_2287_ = (_e2042 < _e2068);
+                                                                            if (_e2046 == _e2072) {
+                                                                                phi_2295_ = (_e2050 < _e2076);
                                                                             } else {
-                                                                                phi_2287_ = false;
+                                                                                phi_2295_ = false;
                                                                             }
-                                                                            let _e2141 = phi_2287_;
-                                                                            phi_2288_ = _e2141;
+                                                                            let _e2149 = phi_2295_;
+                                                                            phi_2296_ = _e2149;
                                                                         }
-                                                                        let _e2143 = phi_2288_;
-                                                                        if _e2143 {
-                                                                            phi_2292_ = _e2068;
-                                                                            phi_2293_ = _e2064;
-                                                                            phi_2294_ = _e2042;
-                                                                            phi_2295_ = _e2038;
+                                                                        let _e2151 = phi_2296_;
+                                                                        if _e2151 {
+                                                                            phi_2300_ = _e2076;
+                                                                            phi_2301_ = _e2072;
+                                                                            phi_2302_ = _e2050;
+                                                                            phi_2303_ = _e2046;
                                                                         } else {
-                                                                            phi_2292_ = _e2042;
-                                                                            phi_2293_ = _e2038;
-                                                                            phi_2294_ = _e2068;
-                                                                            phi_2295_ = _e2064;
+                                                                            phi_2300_ = _e2050;
+                                                                            phi_2301_ = _e2046;
+                                                                            phi_2302_ = _e2076;
+                                                                            phi_2303_ = _e2072;
                                                                         }
-                                                                        let _e2145 = phi_2292_;
-                                                                        let _e2147 = phi_2293_;
-                                                                        let _e2149 = phi_2294_;
-                                                                        let _e2151 = phi_2295_;
-                                                                        let _e2154 = ((_e2151 * _e2145) - (_e2149 * _e2147));
-                                                                        if _e2143 {
-                                                                            phi_2303_ = -(_e2154);
+                                                                        let _e2153 = phi_2300_;
+                                                                        let _e2155 = phi_2301_;
+                                                                        let _e2157 = phi_2302_;
+                                                                        let _e2159 = phi_2303_;
+                                                                        let _e2162 = ((_e2159 * _e2153) - (_e2157 * _e2155));
+                                                                        if _e2151 {
+                                                                            phi_2311_ = -(_e2162);
                                                                         } else {
-                                                                            phi_2303_ = _e2154;
+                                                                            phi_2311_ = _e2162;
                                                                         }
-                                                                        let _e2157 = phi_2303_;
-                                                                        if (_e2115 >= 0f) {
-                                                                            if (_e2136 >= 0f) {
-                                                                                if (_e2157 >= 0f) {
-                                                                                    phi_2318_ = ((_e2115 + _e2136) + _e2157);
-                                                                                    phi_2319_ = false;
+                                                                        let _e2165 = phi_2311_;
+                                                                        if (_e2123 >= 0f) {
+                                                                            if (_e2144 >= 0f) {
+                                                                                if (_e2165 >= 0f) {
+                                                                                    phi_2326_ = ((_e2123 + _e2144) + _e2165);
+                                                                                    phi_2327_ = false;
                                                                                 } else {
-                                                                                    phi_2318_ = f32();
-                                                                                    phi_2319_ = true;
+                                                                                    phi_2326_ = f32();
+                                                                                    phi_2327_ = true;
                                                                                 }
-                                                                                let _e2164 = phi_2318_;
-                                                                                let _e2166 = phi_2319_;
-                                                                                phi_2320_ = _e2164;
-                                                                                phi_2321_ = _e2166;
+                                                                                let _e2172 = phi_2326_;
+                                                                                let _e2174 = phi_2327_;
+                                                                                phi_2328_ = _e2172;
+                                                                                phi_2329_ = _e2174;
                                                                             } else {
-                                                                                phi_2320_ = f32();
-                                                                                phi_2321_ = true;
+                                                                                phi_2328_ = f32();
+                                                                                phi_2329_ = true;
                                                                             }
-                                                                            let _e2168 = phi_2320_;
-                                                                            let _e2170 = phi_2321_;
-                                                                            phi_2322_ = _e2168;
-                                                                            phi_2323_ = _e2170;
+                                                                            let _e2176 = phi_2328_;
+                                                                            let _e2178 = phi_2329_;
+                                                                            phi_2330_ = _e2176;
+                                                                            phi_2331_ = _e2178;
                                                                         } else {
-                                                                            phi_2322_ = f32();
-                                                                            phi_2323_ = true;
+                                                                            phi_2330_ = f32();
+                                                                            phi_2331_ = true;
                                                                         }
-                                                                        let _e2172 = phi_2322_;
-                                                                        let _e2174 = phi_2323_;
-                                                                        if _e2174 {
-                                                                            if (_e2115 <= 0f) {
-                                                                                if (_e2136 <= 0f) {
-                                                                                    let _e2177 = (_e2157 <= 0f);
-                                                                                    if _e2177 {
+                                                                        let _e2180 = phi_2330_;
+                                                                        let _e2182 = phi_2331_;
+                                                                        if _e2182 {
+                                                                            if (_e2123 <= 0f) {
+                                                                                if (_e2144 <= 0f) {
+                                                                                    let _e2185 = (_e2165 <= 0f);
+                                                                                    if _e2185 {
                                                                                     }
-                                                                                    phi_2341_ = ((_e2115 + _e2136) + _e2157);
-                                                                                    phi_2342_ = false;
-                                                                                    phi_2343_ = _e2177;
+                                                                                    phi_2349_ = ((_e2123 + _e2144) + _e2165);
+                                                                                    phi_2350_ = false;
+                                                                                    phi_2351_ = _e2185;
                                                                                 } else {
-                                                                                    phi_2341_ = f32();
-                                                                                    phi_2342_ = true;
-                                                                                    phi_2343_ = false;
+                                                                                    phi_2349_ = f32();
+                                                                                    phi_2350_ = true;
+                                                                                    phi_2351_ = false;
                                                                                 }
-                                                                                let _e2181 = phi_2341_;
-                                                                                let _e2183 = phi_2342_;
-                                                                                let _e2185 = phi_2343_;
-                                                                                phi_2344_ = _e2181;
-                                                                                phi_2345_ = _e2183;
-                                                                                phi_2346_ = _e2185;
+                                                                                let _e2189 = phi_2349_;
+                                                                                let _e2191 = phi_2350_;
+                                                                                let _e2193 = phi_2351_;
+                                                                                phi_2352_ = _e2189;
+                                                                                phi_2353_ = _e2191;
+                                                                                phi_2354_ = _e2193;
                                                                             } else {
-                                                                                phi_2344_ = f32();
-                                                                                phi_2345_ = true;
-                                                                                phi_2346_ = false;
+                                                                                phi_2352_ = f32();
+                                                                                phi_2353_ = true;
+                                                                                phi_2354_ = false;
                                                                             }
-                                                                            let _e2187 = phi_2344_;
-                                                                            let _e2189 = phi_2345_;
-                                                                            let _e2191 = phi_2346_;
-                                                                            if _e2189 {
-                                                                                phi_2350_ = false;
+                                                                            let _e2195 = phi_2352_;
+                                                                            let _e2197 = phi_2353_;
+                                                                            let _e2199 = phi_2354_;
+                                                                            if _e2197 {
+                                                                                phi_2358_ = false;
                                                                             } else {
-                                                                                phi_2350_ = _e2191;
+                                                                                phi_2358_ = _e2199;
                                                                             }
-                                                                            let _e2193 = phi_2350_;
-                                                                            phi_2351_ = _e2187;
-                                                                            phi_2352_ = _e2193;
+                                                                            let _e2201 = phi_2358_;
+                                                                            phi_2359_ = _e2195;
+                                                                            phi_2360_ = _e2201;
                                                                         } else {
-                                                                            phi_2351_ = _e2172;
-                                                                            phi_2352_ = true;
+                                                                            phi_2359_ = _e2180;
+                                                                            phi_2360_ = true;
                                                                         }
-                                                                        let _e2195 = phi_2351_;
-                                                                        let _e2197 = phi_2352_;
-                                                                        if _e2197 {
-                                                                            let _e2198 = (_e2195 == 0f);
-                                                                            if _e2198 {
-                                                                                phi_2668_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2669_ = false;
+                                                                        let _e2203 = phi_2359_;
+                                                                        let _e2205 = phi_2360_;
+                                                                        if _e2205 {
+                                                                            let _e2206 = (_e2203 == 0f);
+                                                                            if _e2206 {
+                                                                                phi_2676_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2677_ = false;
                                                                             } else {
-                                                                                let _e2200 = triangles.member[(0u + _e2011)].v0_;
-                                                                                let _e2202 = (_e2200.x - _e1121);
-                                                                                let _e2204 = (_e2200.y - _e1134);
-                                                                                let _e2206 = (_e2200.z - _e1147);
-                                                                                if (_e1401 == 0u) {
-                                                                                    phi_2381_ = vec3<f32>(_e2204, _e2206, _e2202);
+                                                                                let _e2208 = triangles.member[(0u + _e2019)].v0_;
+                                                                                let _e2210 = (_e2208.x - _e1125);
+                                                                                let _e2212 = (_e2208.y - _e1138);
+                                                                                let _e2214 = (_e2208.z - _e1151);
+                                                                                if (_e1405 == 0u) {
+                                                                                    phi_2389_ = vec3<f32>(_e2212, _e2214, _e2210);
                                                                                 } else {
-                                                                                    if (_e1401 == 1u) {
-                                                                                        phi_2380_ = vec3<f32>(_e2206, _e2202, _e2204);
+                                                                                    if (_e1405 == 1u) {
+                                                                                        phi_2388_ = vec3<f32>(_e2214, _e2210, _e2212);
                                                                                     } else {
-                                                                                        phi_2380_ = (_e2200 - vec3<f32>(_e1121, _e1134, _e1147));
+                                                                                        phi_2388_ = (_e2208 - vec3<f32>(_e1125, _e1138, _e1151));
                                                                                     }
-                                                                                    let _e2214 = phi_2380_;
-                                                                                    phi_2381_ = _e2214;
+                                                                                    let _e2222 = phi_2388_;
+                                                                                    phi_2389_ = _e2222;
                                                                                 }
-                                                                                let _e2216 = phi_2381_;
-                                                                                let _e2218 = triangles.member[(0u + _e2011)].v1_;
-                                                                                let _e2220 = triangles.member[(0u + _e2011)].v0_;
-                                                                                let _e2223 = (_e2218.x - _e2220.x);
-                                                                                let _e2226 = (_e2218.y - _e2220.y);
-                                                                                let _e2229 = (_e2218.z - _e2220.z);
-                                                                                if (_e1401 == 0u) {
-                                                                                    phi_2407_ = vec3<f32>(_e2226, _e2229, _e2223);
+                                                                                let _e2224 = phi_2389_;
+                                                                                let _e2226 = triangles.member[(0u + _e2019)].v1_;
+                                                                                let _e2228 = triangles.member[(0u + _e2019)].v0_;
+                                                                                let _e2231 = (_e2226.x - _e2228.x);
+                                                                                let _e2234 = (_e2226.y - _e2228.y);
+                                                                                let _e2237 = (_e2226.z - _e2228.z);
+                                                                                if (_e1405 == 0u) {
+                                                                                    phi_2415_ = vec3<f32>(_e2234, _e2237, _e2231);
                                                                                 } else {
-                                                                                    if (_e1401 == 1u) {
-                                                                                        phi_2406_ = vec3<f32>(_e2229, _e2223, _e2226);
+                                                                                    if (_e1405 == 1u) {
+                                                                                        phi_2414_ = vec3<f32>(_e2237, _e2231, _e2234);
                                                                                     } else {
-                                                                                        phi_2406_ = (_e2218 - _e2220);
+                                                                                        phi_2414_ = (_e2226 - _e2228);
                                                                                     }
-                                                                                    let _e2236 = phi_2406_;
-                                                                                    phi_2407_ = _e2236;
+                                                                                    let _e2244 = phi_2414_;
+                                                                                    phi_2415_ = _e2244;
                                                                                 }
-                                                                                let _e2238 = phi_2407_;
-                                                                                let _e2240 = triangles.member[(0u + _e2011)].v2_;
-                                                                                let _e2242 = triangles.member[(0u + _e2011)].v0_;
-                                                                                let _e2245 = (_e2240.x - _e2242.x);
-                                                                                let _e2248 = (_e2240.y - _e2242.y);
-                                                                                let _e2251 = (_e2240.z - _e2242.z);
-                                                                                if (_e1401 == 0u) {
-                                                                                    phi_2433_ = vec3<f32>(_e2248, _e2251, _e2245);
+                                                                                let _e2246 = phi_2415_;
+                                                                                let _e2248 = triangles.member[(0u + _e2019)].v2_;
+                                                                                let _e2250 = triangles.member[(0u + _e2019)].v0_;
+                                                                                let _e2253 = (_e2248.x - _e2250.x);
+                                                                                let _e2256 = (_e2248.y - _e2250.y);
+                                                                                let _e2259 = (_e2248.z - _e2250.z);
+                                                                                if (_e1405 == 0u) {
+                                                                                    phi_2441_ = vec3<f32>(_e2256, _e2259, _e2253);
                                                                                 } else {
-                                                                                    if (_e1401 == 1u) {
-                                                                                        phi_2432_ = vec3<f32>(_e2251, _e2245, _e2248);
+                                                                                    if (_e1405 == 1u) {
+                                                                                        phi_2440_ = vec3<f32>(_e2259, _e2253, _e2256);
                                                                                     } else {
-                                                                                        phi_2432_ = (_e2240 - _e2242);
+                                                                                        phi_2440_ = (_e2248 - _e2250);
                                                                                     }
-                                                                                    let _e2258 = phi_2432_;
-                                                                                    phi_2433_ = _e2258;
+                                                                                    let _e2266 = phi_2440_;
+                                                                                    phi_2441_ = _e2266;
                                                                                 }
-                                                                                let _e2260 = phi_2433_;
-                                                                                let _e2267 = ((_e2238.y * _e2260.z) - (_e2238.z * _e2260.y));
-                                                                                let _e2274 = ((_e2238.z * _e2260.x) - (_e2238.x * _e2260.z));
-                                                                                let _e2281 = ((_e2238.x * _e2260.y) - (_e2238.y * _e2260.x));
-                                                                                let _e2295 = (((1f / _e1409.z) * (((_e2267 * _e2216.x) + (_e2274 * _e2216.y)) + (_e2281 * _e2216.z))) / (((_e2267 * _e1412) + (_e2274 * _e1415)) + _e2281));
-                                                                                if (_e2295 > 0f) {
-                                                                                    if (_e2295 < _e251) {
-                                                                                        let _e2299 = triangles.member[(0u + _e2011)].v0_;
-                                                                                        let _e2301 = triangles.member[(0u + _e2011)].v1_;
-                                                                                        if (_e2299.x < _e2301.x) {
-                                                                                            phi_2489_ = _e2299.x;
+                                                                                let _e2268 = phi_2441_;
+                                                                                let _e2275 = ((_e2246.y * _e2268.z) - (_e2246.z * _e2268.y));
+                                                                                let _e2282 = ((_e2246.z * _e2268.x) - (_e2246.x * _e2268.z));
+                                                                                let _e2289 = ((_e2246.x * _e2268.y) - (_e2246.y * _e2268.x));
+                                                                                let _e2303 = (((1f / _e1413.z) * (((_e2275 * _e2224.x) + (_e2282 * _e2224.y)) + (_e2289 * _e2224.z))) / (((_e2275 * _e1416) + (_e2282 * _e1419)) + _e2289));
+                                                                                if (_e2303 > 0f) {
+                                                                                    if (_e2303 < _e251) {
+                                                                                        let _e2307 = triangles.member[(0u + _e2019)].v0_;
+                                                                                        let _e2309 = triangles.member[(0u + _e2019)].v1_;
+                                                                                        if (_e2307.x < _e2309.x) {
+                                                                                            phi_2497_ = _e2307.x;
                                                                                         } else {
-                                                                                            phi_2489_ = _e2301.x;
+                                                                                            phi_2497_ = _e2309.x;
                                                                                         }
-                                                                                        let _e2308 = phi_2489_;
-                                                                                        if (_e2299.y < _e2301.y) {
-                                                                                            phi_2498_ = _e2299.y;
+                                                                                        let _e2316 = phi_2497_;
+                                                                                        if (_e2307.y < _e2309.y) {
+                                                                                            phi_2506_ = _e2307.y;
                                                                                         } else {
-                                                                                            phi_2498_ = _e2301.y;
+                                                                                            phi_2506_ = _e2309.y;
                                                                                         }
-                                                                                        let _e2315 = phi_2498_;
-                                                                                        if (_e2299.z < _e2301.z) {
-                                                                                            phi_2507_ = _e2299.z;
+                                                                                        let _e2323 = phi_2506_;
+                                                                                        if (_e2307.z < _e2309.z) {
+                                                                                            phi_2515_ = _e2307.z;
                                                                                         } else {
-                                                                                            phi_2507_ = _e2301.z;
+                                                                                            phi_2515_ = _e2309.z;
                                                                                         }
-                                                                                        let _e2322 = phi_2507_;
-                                                                                        let _e2324 = triangles.member[(0u + _e2011)].v2_;
-                                                                                        if (_e2308 < _e2324.x) {
-                                                                                            phi_2516_ = _e2308;
+                                                                                        let _e2330 = phi_2515_;
+                                                                                        let _e2332 = triangles.member[(0u + _e2019)].v2_;
+                                                                                        if (_e2316 < _e2332.x) {
+                                                                                            phi_2524_ = _e2316;
                                                                                         } else {
-                                                                                            phi_2516_ = _e2324.x;
+                                                                                            phi_2524_ = _e2332.x;
                                                                                         }
-                                                                                        let _e2329 = phi_2516_;
-                                                                                        if (_e2315 < _e2324.y) {
-                                                                                            phi_2523_ = _e2315;
+                                                                                        let _e2337 = phi_2524_;
+                                                                                        if (_e2323 < _e2332.y) {
+                                                                                            phi_2531_ = _e2323;
                                                                                         } else {
-                                                                                            phi_2523_ = _e2324.y;
+                                                                                            phi_2531_ = _e2332.y;
                                                                                         }
-                                                                                        let _e2334 = phi_2523_;
-                                                                                        if (_e2322 < _e2324.z) {
-                                                                                            phi_2530_ = _e2322;
+                                                                                        let _e2342 = phi_2531_;
+                                                                                        if (_e2330 < _e2332.z) {
+                                                                                            phi_2538_ = _e2330;
                                                                                         } else {
-                                                                                            phi_2530_ = _e2324.z;
+                                                                                            phi_2538_ = _e2332.z;
                                                                                         }
-                                                                                        let _e2339 = phi_2530_;
-                                                                                        let _e2341 = triangles.member[(0u + _e2011)].v0_;
-                                                                                        let _e2343 = triangles.member[(0u + _e2011)].v1_;
-                                                                                        if (_e2341.x > _e2343.x) {
-                                                                                            phi_2543_ = _e2341.x;
+                                                                                        let _e2347 = phi_2538_;
+                                                                                        let _e2349 = triangles.member[(0u + _e2019)].v0_;
+                                                                                        let _e2351 = triangles.member[(0u + _e2019)].v1_;
+                                                                                        if (_e2349.x > _e2351.x) {
+                                                                                            phi_2551_ = _e2349.x;
                                                                                         } else {
-                                                                                            phi_2543_ = _e2343.x;
+                                                                                            phi_2551_ = _e2351.x;
                                                                                         }
-                                                                                        let _e2350 = phi_2543_;
-                                                                                        if (_e2341.y > _e2343.y) {
-                                                                                            phi_2552_ = _e2341.y;
+                                                                                        let _e2358 = phi_2551_;
+                                                                                        if (_e2349.y > _e2351.y) {
+                                                                                            phi_2560_ = _e2349.y;
                                                                                         } else {
-                                                                                            phi_2552_ = _e2343.y;
+                                                                                            phi_2560_ = _e2351.y;
                                                                                         }
-                                                                                        let _e2357 = phi_2552_;
-                                                                                        if (_e2341.z > _e2343.z) {
-                                                                                            phi_2561_ = _e2341.z;
+                                                                                        let _e2365 = phi_2560_;
+                                                                                        if (_e2349.z > _e2351.z) {
+                                                                                            phi_2569_ = _e2349.z;
                                                                                         } else {
-                                                                                            phi_2561_ = _e2343.z;
+                                                                                            phi_2569_ = _e2351.z;
                                                                                         }
-                                                                                        let _e2364 = phi_2561_;
-                                                                                        let _e2366 = triangles.member[(0u + _e2011)].v2_;
-                                                                                        if (_e2350 > _e2366.x) {
-                                                                                            phi_2570_ = _e2350;
+                                                                                        let _e2372 = phi_2569_;
+                                                                                        let _e2374 = triangles.member[(0u + _e2019)].v2_;
+                                                                                        if (_e2358 > _e2374.x) {
+                                                                                            phi_2578_ = _e2358;
                                                                                         } else {
-                                                                                            phi_2570_ = _e2366.x;
+                                                                                            phi_2578_ = _e2374.x;
                                                                                         }
-                                                                                        let _e2371 = phi_2570_;
-                                                                                        if (_e2357 > _e2366.y) {
-                                                                                            phi_2577_ = _e2357;
+                                                                                        let _e2379 = phi_2578_;
+                                                                                        if (_e2365 > _e2374.y) {
+                                                                                            phi_2585_ = _e2365;
                                                                                         } else {
-                                                                                            phi_2577_ = _e2366.y;
+                                                                                            phi_2585_ = _e2374.y;
                                                                                         }
-                                                                                        let _e2376 = phi_2577_;
-                                                                                        if (_e2364 > _e2366.z) {
-                                                                                            phi_2584_ = _e2364;
+                                                                                        let _e2384 = phi_2585_;
+                                                                                        if (_e2372 > _e2374.z) {
+                                                                                            phi_2592_ = _e2372;
                                                                                         } else {
-                                                                                            phi_2584_ = _e2366.z;
+                                                                                            phi_2592_ = _e2374.z;
                                                                                         }
-                                                                                        let _e2381 = phi_2584_;
-                                                                                        let _e2385 = ((_e2329 - _e1121) * _e1330);
-                                                                                        let _e2386 = ((_e2334 - _e1134) * _e1340);
-                                                                                        let _e2387 = ((_e2339 - _e1147) * _e1350);
-                                                                                        let _e2391 = ((_e2371 - _e1121) * _e1330);
-                                                                                        let _e2392 = ((_e2376 - _e1134) * _e1340);
-                                                                                        let _e2393 = ((_e2381 - _e1147) * _e1350);
-                                                                                        if (_e2385 < _e2391) {
-                                                                                            phi_2601_ = _e2385;
+                                                                                        let _e2389 = phi_2592_;
+                                                                                        let _e2393 = ((_e2337 - _e1125) * _e1334);
+                                                                                        let _e2394 = ((_e2342 - _e1138) * _e1344);
+                                                                                        let _e2395 = ((_e2347 - _e1151) * _e1354);
+                                                                                        let _e2399 = ((_e2379 - _e1125) * _e1334);
+                                                                                        let _e2400 = ((_e2384 - _e1138) * _e1344);
+                                                                                        let _e2401 = ((_e2389 - _e1151) * _e1354);
+                                                                                        if (_e2393 < _e2399) {
+                                                                                            phi_2609_ = _e2393;
                                                                                         } else {
-                                                                                            phi_2601_ = _e2391;
+                                                                                            phi_2609_ = _e2399;
                                                                                         }
-                                                                                        let _e2396 = phi_2601_;
-                                                                                        if (_e2386 < _e2392) {
-                                                                                            phi_2606_ = _e2386;
+                                                                                        let _e2404 = phi_2609_;
+                                                                                        if (_e2394 < _e2400) {
+                                                                                            phi_2614_ = _e2394;
                                                                                         } else {
-                                                                                            phi_2606_ = _e2392;
+                                                                                            phi_2614_ = _e2400;
                                                                                         }
-                                                                                        let _e2399 = phi_2606_;
-                                                                                        if (_e2387 < _e2393) {
-                                                                                            phi_2611_ = _e2387;
+                                                                                        let _e2407 = phi_2614_;
+                                                                                        if (_e2395 < _e2401) {
+                                                                                            phi_2619_ = _e2395;
                                                                                         } else {
-                                                                                            phi_2611_ = _e2393;
+                                                                                            phi_2619_ = _e2401;
                                                                                         }
-                                                                                        let _e2402 = phi_2611_;
-                                                                                        if (_e2385 > _e2391) {
-                                                                                            phi_2619_ = _e2385;
+                                                                                        let _e2410 = phi_2619_;
+                                                                                        if (_e2393 > _e2399) {
+                                                                                            phi_2627_ = _e2393;
                                                                                         } else {
-                                                                                            phi_2619_ = _e2391;
+                                                                                            phi_2627_ = _e2399;
                                                                                         }
-                                                                                        let _e2408 = phi_2619_;
-                                                                                        if (_e2386 > _e2392) {
-                                                                                            phi_2624_ = _e2386;
+                                                                                        let _e2416 = phi_2627_;
+                                                                                        if (_e2394 > _e2400) {
+                                                                                            phi_2632_ = _e2394;
                                                                                         } else {
-                                                                                            phi_2624_ = _e2392;
+                                                                                            phi_2632_ = _e2400;
                                                                                         }
-                                                                                        let _e2411 = phi_2624_;
-                                                                                        if (_e2387 > _e2393) {
-                                                                                            phi_2629_ = _e2387;
+                                                                                        let _e2419 = phi_2632_;
+                                                                                        if (_e2395 > _e2401) {
+                                                                                            phi_2637_ = _e2395;
                                                                                         } else {
-                                                                                            phi_2629_ = _e2393;
+                                                                                            phi_2637_ = _e2401;
                                                                                         }
-                                                                                        let _e2414 = phi_2629_;
-                                                                                        let _e2418 = core_intrinsics_maximum_number_nsz_f32_((_e2396 - _e1385), (_e2399 - _e1386));
-                                                                                        let _e2419 = core_intrinsics_maximum_number_nsz_f32_(_e2418, (_e2402 - _e1387));
-                                                                                        let _e2420 = core_intrinsics_minimum_number_nsz_f32_((_e2408 + _e1385), (_e2411 + _e1386));
-                                                                                        let _e2421 = core_intrinsics_minimum_number_nsz_f32_(_e2420, (_e2414 + _e1387));
-                                                                                        if (_e2419 > _e1102) {
-                                                                                            phi_2641_ = _e2419;
+                                                                                        let _e2422 = phi_2637_;
+                                                                                        let _e2426 = core_intrinsics_maximum_number_nsz_f32_((_e2404 - _e1389), (_e2407 - _e1390));
+                                                                                        let _e2427 = core_intrinsics_maximum_number_nsz_f32_(_e2426, (_e2410 - _e1391));
+                                                                                        let _e2428 = core_intrinsics_minimum_number_nsz_f32_((_e2416 + _e1389), (_e2419 + _e1390));
+                                                                                        let _e2429 = core_intrinsics_minimum_number_nsz_f32_(_e2428, (_e2422 + _e1391));
+                                                                                        if (_e2427 > _e1106) {
+                                                                                            phi_2649_ = _e2427;
                                                                                         } else {
-                                                                                            phi_2641_ = _e1102;
+                                                                                            phi_2649_ = _e1106;
                                                                                         }
-                                                                                        let _e2424 = phi_2641_;
-                                                                                        if (_e2421 < _e1104) {
-                                                                                            phi_2646_ = _e2421;
+                                                                                        let _e2432 = phi_2649_;
+                                                                                        if (_e2429 < _e1108) {
+                                                                                            phi_2654_ = _e2429;
                                                                                         } else {
-                                                                                            phi_2646_ = _e1104;
+                                                                                            phi_2654_ = _e1108;
                                                                                         }
-                                                                                        let _e2427 = phi_2646_;
-                                                                                        if (_e2295 < _e2424) {
-                                                                                            phi_2651_ = _e2424;
+                                                                                        let _e2435 = phi_2654_;
+                                                                                        if (_e2303 < _e2432) {
+                                                                                            phi_2659_ = _e2432;
                                                                                         } else {
-                                                                                            phi_2651_ = _e2295;
+                                                                                            phi_2659_ = _e2303;
                                                                                         }
-                                                                                        let _e2430 = phi_2651_;
-                                                                                        if (_e2430 > _e2427) {
-                                                                                            phi_2656_ = _e2427;
+                                                                                        let _e2438 = phi_2659_;
+                                                                                        if (_e2438 > _e2435) {
+                                                                                            phi_2664_ = _e2435;
                                                                                         } else {
-                                                                                            phi_2656_ = _e2430;
+                                                                                            phi_2664_ = _e2438;
                                                                                         }
-                                                                                        let _e2433 = phi_2656_;
-                                                                                        phi_2661_ = lt_bvh_triangle_Intersection(_e2433, (_e2136 / _e2195), (_e2157 / _e2195), (_e2424 <= _e2427));
-                                                                                        phi_2662_ = false;
+                                                                                        let _e2441 = phi_2664_;
+                                                                                        phi_2669_ = lt_bvh_triangle_Intersection(_e2441, (_e2144 / _e2203), (_e2165 / _e2203), (_e2432 <= _e2435));
+                                                                                        phi_2670_ = false;
                                                                                     } else {
-                                                                                        phi_2661_ = lt_bvh_triangle_Intersection();
-                                                                                        phi_2662_ = true;
+                                                                                        phi_2669_ = lt_bvh_triangle_Intersection();
+                                                                                        phi_2670_ = true;
                                                                                     }
-                                                                                    let _e2439 = phi_2661_;
-                                                                                    let _e2441 = phi_2662_;
-                                                                                    phi_2663_ = _e2439;
-                                                                                    phi_2664_ = _e2441;
+                                                                                    let _e2447 = phi_2669_;
+                                                                                    let _e2449 = phi_2670_;
+                                                                                    phi_2671_ = _e2447;
+                                                                                    phi_2672_ = _e2449;
                                                                                 } else {
-                                                                                    phi_2663_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2664_ = true;
+                                                                                    phi_2671_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2672_ = true;
                                                                                 }
-                                                                                let _e2443 = phi_2663_;
-                                                                                let _e2445 = phi_2664_;
-                                                                                if _e2445 {
+                                                                                let _e2451 = phi_2671_;
+                                                                                let _e2453 = phi_2672_;
+                                                                                if _e2453 {
                                                                                 }
-                                                                                phi_2668_ = _e2443;
-                                                                                phi_2669_ = _e2445;
+                                                                                phi_2676_ = _e2451;
+                                                                                phi_2677_ = _e2453;
                                                                             }
-                                                                            let _e2447 = phi_2668_;
-                                                                            let _e2449 = phi_2669_;
-                                                                            phi_2670_ = _e2447;
-                                                                            phi_2671_ = _e2198;
-                                                                            phi_2672_ = _e2449;
+                                                                            let _e2455 = phi_2676_;
+                                                                            let _e2457 = phi_2677_;
+                                                                            phi_2678_ = _e2455;
+                                                                            phi_2679_ = _e2206;
+                                                                            phi_2680_ = _e2457;
                                                                         } else {
-                                                                            phi_2670_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2671_ = true;
-                                                                            phi_2672_ = false;
+                                                                            phi_2678_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2679_ = true;
+                                                                            phi_2680_ = false;
                                                                         }
-                                                                        let _e2451 = phi_2670_;
-                                                                        let _e2453 = phi_2671_;
-                                                                        let _e2455 = phi_2672_;
-                                                                        if _e2453 {
-                                                                            phi_2676_ = true;
+                                                                        let _e2459 = phi_2678_;
+                                                                        let _e2461 = phi_2679_;
+                                                                        let _e2463 = phi_2680_;
+                                                                        if _e2461 {
+                                                                            phi_2684_ = true;
                                                                         } else {
-                                                                            phi_2676_ = _e2455;
+                                                                            phi_2684_ = _e2463;
                                                                         }
-                                                                        let _e2457 = phi_2676_;
-                                                                        if _e2457 {
-                                                                            phi_2680_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                        let _e2465 = phi_2684_;
+                                                                        if _e2465 {
+                                                                            phi_2688_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                         } else {
-                                                                            phi_2680_ = _e2451;
+                                                                            phi_2688_ = _e2459;
                                                                         }
-                                                                        let _e2459 = phi_2680_;
-                                                                        if _e2459.is_hit {
-                                                                            if (_e2459.t > 0f) {
-                                                                                if (_e2459.t < _e251) {
-                                                                                    let _e2466 = triangles.member[(0u + _e2011)].i0_;
-                                                                                    let _e2468 = ((_e2466 & 2147483648u) == 0u);
-                                                                                    if _e2468 {
-                                                                                        phi_2706_ = false;
-                                                                                        phi_2707_ = false;
+                                                                        let _e2467 = phi_2688_;
+                                                                        if _e2467.is_hit {
+                                                                            if (_e2467.t > 0f) {
+                                                                                if (_e2467.t < _e251) {
+                                                                                    if true {
+                                                                                        phi_2708_ = false;
                                                                                     } else {
-                                                                                        if true {
-                                                                                            phi_2705_ = false;
-                                                                                        } else {
-                                                                                            phi_2705_ = true;
-                                                                                        }
-                                                                                        let _e2470 = phi_2705_;
-                                                                                        phi_2706_ = _e2470;
-                                                                                        phi_2707_ = true;
+                                                                                        phi_2708_ = true;
                                                                                     }
-                                                                                    let _e2472 = phi_2706_;
-                                                                                    let _e2474 = phi_2707_;
-                                                                                    phi_2708_ = _e2472;
-                                                                                    phi_2709_ = _e2468;
-                                                                                    phi_2710_ = _e2474;
+                                                                                    let _e2476 = phi_2708_;
+                                                                                    phi_2709_ = true;
+                                                                                    phi_2710_ = _e2476;
                                                                                 } else {
-                                                                                    phi_2708_ = true;
-                                                                                    phi_2709_ = false;
-                                                                                    phi_2710_ = false;
+                                                                                    phi_2709_ = _e2010;
+                                                                                    phi_2710_ = true;
                                                                                 }
-                                                                                let _e2476 = phi_2708_;
                                                                                 let _e2478 = phi_2709_;
                                                                                 let _e2480 = phi_2710_;
-                                                                                phi_2711_ = _e2476;
-                                                                                phi_2712_ = _e2478;
-                                                                                phi_2713_ = _e2480;
+                                                                                phi_2711_ = _e2478;
+                                                                                phi_2712_ = _e2480;
                                                                             } else {
-                                                                                phi_2711_ = true;
-                                                                                phi_2712_ = false;
-                                                                                phi_2713_ = false;
+                                                                                phi_2711_ = _e2010;
+                                                                                phi_2712_ = true;
                                                                             }
                                                                             let _e2482 = phi_2711_;
                                                                             let _e2484 = phi_2712_;
-                                                                            let _e2486 = phi_2713_;
-                                                                            phi_2714_ = _e2482;
-                                                                            phi_2715_ = _e2484;
-                                                                            phi_2716_ = _e2486;
+                                                                            phi_2713_ = _e2482;
+                                                                            phi_2714_ = _e2484;
                                                                         } else {
+                                                                            phi_2713_ = _e2010;
                                                                             phi_2714_ = true;
-                                                                            phi_2715_ = false;
-                                                                            phi_2716_ = false;
                                                                         }
+                                                                        let _e2486 = phi_2713_;
                                                                         let _e2488 = phi_2714_;
-                                                                        let _e2490 = phi_2715_;
-                                                                        let _e2492 = phi_2716_;
                                                                         if _e2488 {
-                                                                            phi_2720_ = false;
-                                                                            phi_2721_ = false;
-                                                                        } else {
-                                                                            phi_2720_ = _e2490;
-                                                                            phi_2721_ = _e2492;
                                                                         }
-                                                                        let _e2494 = phi_2720_;
-                                                                        let _e2496 = phi_2721_;
-                                                                        phi_2112_ = (_e2002 & (_e2002 - 1u));
-                                                                        phi_2722_ = _e2488;
-                                                                        phi_2723_ = _e2494;
-                                                                        phi_2724_ = _e2496;
+                                                                        phi_2118_ = (_e2008 & (_e2008 - 1u));
+                                                                        phi_2121_ = _e2486;
+                                                                        phi_2718_ = _e2488;
                                                                     }
-                                                                    let _e2498 = phi_2112_;
-                                                                    let _e2500 = phi_2722_;
-                                                                    let _e2502 = phi_2723_;
-                                                                    let _e2504 = phi_2724_;
-                                                                    local_13 = _e2502;
-                                                                    local_14 = _e2504;
+                                                                    let _e2490 = phi_2118_;
+                                                                    let _e2492 = phi_2121_;
+                                                                    let _e2494 = phi_2718_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2111_ = _e2498;
-                                                                        break if !(_e2500);
+                                                                        phi_2117_ = _e2490;
+                                                                        phi_2120_ = _e2492;
+                                                                        break if !(_e2494);
                                                                     }
                                                                 }
-                                                                let _e2507 = local_9;
-                                                                if _e2507 {
-                                                                    let _e2509 = local.group_mask;
-                                                                    if ((_e2509 & 4278190080u) == 0u) {
-                                                                        let _e2513 = local.len;
-                                                                        if (_e2513 == 0u) {
-                                                                            phi_2766_ = false;
+                                                                let _e2497 = local_9;
+                                                                if _e2497 {
+                                                                    let _e2499 = local.group_mask;
+                                                                    if ((_e2499 & 4278190080u) == 0u) {
+                                                                        let _e2503 = local.len;
+                                                                        if (_e2503 == 0u) {
+                                                                            phi_2760_ = false;
                                                                         } else {
-                                                                            let _e2517 = local.len;
-                                                                            local.len = (_e2517 - 1u);
-                                                                            let _e2520 = local.len;
-                                                                            if (_e2520 < 32u) {
+                                                                            let _e2507 = local.len;
+                                                                            local.len = (_e2507 - 1u);
+                                                                            let _e2510 = local.len;
+                                                                            if (_e2510 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2525 = local.first[(0u + _e2520)];
-                                                                            local.group = _e2525;
-                                                                            let _e2528 = local.len;
-                                                                            if (_e2528 < 32u) {
+                                                                            let _e2515 = local.first[(0u + _e2510)];
+                                                                            local.group = _e2515;
+                                                                            let _e2518 = local.len;
+                                                                            if (_e2518 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2533 = local.mask[(0u + _e2528)];
-                                                                            local.group_mask = _e2533;
-                                                                            phi_2766_ = true;
+                                                                            let _e2523 = local.mask[(0u + _e2518)];
+                                                                            local.group_mask = _e2523;
+                                                                            phi_2760_ = true;
                                                                         }
-                                                                        let _e2536 = phi_2766_;
-                                                                        phi_2767_ = _e2536;
+                                                                        let _e2526 = phi_2760_;
+                                                                        phi_2761_ = _e2526;
                                                                     } else {
-                                                                        phi_2767_ = true;
+                                                                        phi_2761_ = true;
                                                                     }
-                                                                    let _e2538 = phi_2767_;
-                                                                    if _e2538 {
+                                                                    let _e2528 = phi_2761_;
+                                                                    if _e2528 {
+                                                                        let _e2530 = local.group_mask;
+                                                                        let _e2536 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2530)), 32u, (_e2530 == 0u)));
                                                                         let _e2540 = local.group_mask;
-                                                                        let _e2546 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2540)), 32u, (_e2540 == 0u)));
-                                                                        let _e2550 = local.group_mask;
-                                                                        let _e2564 = local.group_mask;
-                                                                        local.group_mask = (_e2564 & ~((1u << bitcast<u32>((_e2546 & 31u)))));
-                                                                        let _e2567 = local.group;
-                                                                        phi_2798_ = (_e2567 + countOneBits(((_e2550 & ~((4294967295u << bitcast<u32>((((_e2546 - 24u) ^ _e1428) & 31u))))) & 255u)));
+                                                                        let _e2554 = local.group_mask;
+                                                                        local.group_mask = (_e2554 & ~((1u << bitcast<u32>((_e2536 & 31u)))));
+                                                                        let _e2557 = local.group;
+                                                                        phi_2792_ = (_e2557 + countOneBits(((_e2540 & ~((4294967295u << bitcast<u32>((((_e2536 - 24u) ^ _e1432) & 31u))))) & 255u)));
                                                                     } else {
-                                                                        phi_2798_ = 4294967295u;
+                                                                        phi_2792_ = 4294967295u;
                                                                     }
-                                                                    let _e2570 = phi_2798_;
-                                                                    phi_2799_ = _e2570;
-                                                                    phi_2800_ = false;
-                                                                    phi_2801_ = false;
+                                                                    let _e2560 = phi_2792_;
+                                                                    phi_2793_ = _e2560;
                                                                 } else {
-                                                                    phi_2799_ = u32();
-                                                                    let _e2963 = local_13;
-                                                                    phi_2800_ = _e2963;
-                                                                    let _e2966 = local_14;
-                                                                    phi_2801_ = _e2966;
+                                                                    phi_2793_ = u32();
                                                                 }
-                                                                let _e2572 = phi_2799_;
-                                                                let _e2574 = phi_2800_;
-                                                                let _e2576 = phi_2801_;
-                                                                phi_1782_ = _e2572;
-                                                                let _e2970 = local_15;
-                                                                phi_2802_ = _e2970;
-                                                                phi_2803_ = false;
-                                                                phi_2804_ = _e2574;
-                                                                phi_2805_ = _e2576;
+                                                                let _e2562 = phi_2793_;
+                                                                phi_1786_ = _e2562;
+                                                                let _e2952 = local_13;
+                                                                phi_1789_ = _e2952;
+                                                                let _e2955 = local_14;
+                                                                phi_2794_ = _e2955;
+                                                                phi_2795_ = false;
                                                             } else {
-                                                                phi_1782_ = u32();
-                                                                phi_2802_ = false;
-                                                                phi_2803_ = true;
-                                                                phi_2804_ = false;
-                                                                phi_2805_ = false;
+                                                                phi_1786_ = u32();
+                                                                phi_1789_ = bool();
+                                                                phi_2794_ = false;
+                                                                phi_2795_ = true;
                                                             }
-                                                            let _e2578 = phi_1782_;
-                                                            let _e2580 = phi_2802_;
-                                                            let _e2582 = phi_2803_;
-                                                            let _e2584 = phi_2804_;
-                                                            let _e2586 = phi_2805_;
-                                                            local_10 = _e2582;
-                                                            local_16 = _e2584;
-                                                            local_17 = _e2586;
+                                                            let _e2564 = phi_1786_;
+                                                            let _e2566 = phi_1789_;
+                                                            let _e2568 = phi_2794_;
+                                                            let _e2570 = phi_2795_;
+                                                            local_10 = _e2570;
                                                             continue;
                                                             continuing {
-                                                                phi_1781_ = _e2578;
-                                                                break if !(_e2580);
+                                                                phi_1785_ = _e2564;
+                                                                phi_1788_ = _e2566;
+                                                                break if !(_e2568);
                                                             }
                                                         }
-                                                        let _e2589 = local_10;
-                                                        if _e2589 {
-                                                            phi_2809_ = false;
-                                                            phi_2810_ = false;
+                                                        let _e2573 = local_10;
+                                                        if _e2573 {
+                                                            phi_2799_ = false;
                                                         } else {
-                                                            let _e2977 = local_16;
-                                                            phi_2809_ = _e2977;
-                                                            let _e2980 = local_17;
-                                                            phi_2810_ = _e2980;
+                                                            phi_2799_ = true;
                                                         }
-                                                        let _e2591 = phi_2809_;
-                                                        let _e2593 = phi_2810_;
-                                                        if _e2591 {
-                                                            phi_2814_ = true;
+                                                        let _e2575 = phi_2799_;
+                                                        if _e2575 {
+                                                            phi_2803_ = true;
                                                         } else {
-                                                            phi_2814_ = _e2593;
+                                                            let _e2961 = local_15;
+                                                            phi_2803_ = _e2961;
                                                         }
-                                                        let _e2595 = phi_2814_;
-                                                        if _e2595 {
-                                                            phi_2818_ = true;
-                                                        } else {
-                                                            phi_2818_ = false;
-                                                        }
-                                                        let _e2597 = phi_2818_;
-                                                        phi_2819_ = _e2597;
+                                                        let _e2577 = phi_2803_;
+                                                        phi_2804_ = _e2577;
                                                     }
-                                                    let _e2599 = phi_2819_;
-                                                    phi_2820_ = _e2599;
-                                                    phi_2821_ = _e1254;
+                                                    let _e2579 = phi_2804_;
+                                                    phi_2805_ = _e2579;
+                                                    phi_2806_ = _e1258;
                                                 } else {
-                                                    phi_2820_ = bool();
-                                                    phi_2821_ = true;
+                                                    phi_2805_ = bool();
+                                                    phi_2806_ = true;
                                                 }
-                                                let _e2601 = phi_2820_;
-                                                let _e2603 = phi_2821_;
-                                                if _e2603 {
-                                                    phi_2825_ = false;
+                                                let _e2581 = phi_2805_;
+                                                let _e2583 = phi_2806_;
+                                                if _e2583 {
+                                                    phi_2810_ = _e1045;
                                                 } else {
-                                                    phi_2825_ = _e2601;
+                                                    phi_2810_ = _e2581;
                                                 }
-                                                let _e2605 = phi_2825_;
-                                                if _e2605 {
-                                                    phi_2829_ = false;
+                                                let _e2585 = phi_2810_;
+                                                if _e2585 {
+                                                    phi_2814_ = false;
                                                 } else {
-                                                    phi_2829_ = true;
+                                                    phi_2814_ = true;
                                                 }
-                                                let _e2607 = phi_2829_;
-                                                phi_2830_ = _e2607;
+                                                let _e2587 = phi_2814_;
+                                                phi_2815_ = _e2585;
+                                                phi_2816_ = _e2587;
                                             } else {
-                                                phi_2830_ = true;
+                                                phi_2815_ = _e1045;
+                                                phi_2816_ = true;
                                             }
-                                            let _e2609 = phi_2830_;
-                                            phi_2831_ = _e2609;
+                                            let _e2589 = phi_2815_;
+                                            let _e2591 = phi_2816_;
+                                            phi_2817_ = _e2589;
+                                            phi_2818_ = _e2591;
                                         } else {
-                                            phi_2831_ = true;
+                                            phi_2817_ = _e1045;
+                                            phi_2818_ = true;
                                         }
-                                        let _e2611 = phi_2831_;
-                                        phi_2832_ = _e2611;
+                                        let _e2593 = phi_2817_;
+                                        let _e2595 = phi_2818_;
+                                        phi_2819_ = _e2593;
+                                        phi_2820_ = _e2595;
                                     } else {
-                                        phi_2832_ = true;
+                                        phi_2819_ = _e1045;
+                                        phi_2820_ = true;
                                     }
-                                    let _e2613 = phi_2832_;
-                                    if _e2613 {
+                                    let _e2597 = phi_2819_;
+                                    let _e2599 = phi_2820_;
+                                    if _e2599 {
                                     }
-                                    phi_1176_ = (_e1041 & (_e1041 - 1u));
-                                    phi_2836_ = _e2613;
+                                    phi_1178_ = (_e1043 & (_e1043 - 1u));
+                                    phi_1181_ = _e2597;
+                                    phi_2824_ = _e2599;
                                 }
-                                let _e2615 = phi_1176_;
-                                let _e2617 = phi_2836_;
+                                let _e2601 = phi_1178_;
+                                let _e2603 = phi_1181_;
+                                let _e2605 = phi_2824_;
                                 continue;
                                 continuing {
-                                    phi_1175_ = _e2615;
-                                    break if !(_e2617);
+                                    phi_1177_ = _e2601;
+                                    phi_1180_ = _e2603;
+                                    break if !(_e2605);
                                 }
                             }
-                            let _e2620 = local_11;
-                            if _e2620 {
-                                let _e2622 = local_1.group_mask;
-                                if ((_e2622 & 4278190080u) == 0u) {
-                                    let _e2626 = local_1.len;
-                                    if (_e2626 == 0u) {
-                                        phi_2878_ = false;
+                            let _e2608 = local_11;
+                            if _e2608 {
+                                let _e2610 = local_1.group_mask;
+                                if ((_e2610 & 4278190080u) == 0u) {
+                                    let _e2614 = local_1.len;
+                                    if (_e2614 == 0u) {
+                                        phi_2866_ = false;
                                     } else {
-                                        let _e2630 = local_1.len;
-                                        local_1.len = (_e2630 - 1u);
-                                        let _e2633 = local_1.len;
-                                        if (_e2633 < 32u) {
+                                        let _e2618 = local_1.len;
+                                        local_1.len = (_e2618 - 1u);
+                                        let _e2621 = local_1.len;
+                                        if (_e2621 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2638 = local_1.first[(0u + _e2633)];
-                                        local_1.group = _e2638;
-                                        let _e2641 = local_1.len;
-                                        if (_e2641 < 32u) {
+                                        let _e2626 = local_1.first[(0u + _e2621)];
+                                        local_1.group = _e2626;
+                                        let _e2629 = local_1.len;
+                                        if (_e2629 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2646 = local_1.mask[(0u + _e2641)];
-                                        local_1.group_mask = _e2646;
-                                        phi_2878_ = true;
+                                        let _e2634 = local_1.mask[(0u + _e2629)];
+                                        local_1.group_mask = _e2634;
+                                        phi_2866_ = true;
                                     }
-                                    let _e2649 = phi_2878_;
-                                    phi_2879_ = _e2649;
+                                    let _e2637 = phi_2866_;
+                                    phi_2867_ = _e2637;
                                 } else {
-                                    phi_2879_ = true;
+                                    phi_2867_ = true;
                                 }
-                                let _e2651 = phi_2879_;
-                                if _e2651 {
-                                    let _e2653 = local_1.group_mask;
-                                    let _e2659 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2653)), 32u, (_e2653 == 0u)));
-                                    let _e2663 = local_1.group_mask;
-                                    let _e2677 = local_1.group_mask;
-                                    local_1.group_mask = (_e2677 & ~((1u << bitcast<u32>((_e2659 & 31u)))));
-                                    let _e2680 = local_1.group;
-                                    phi_2910_ = (_e2680 + countOneBits(((_e2663 & ~((4294967295u << bitcast<u32>((((_e2659 - 24u) ^ _e467) & 31u))))) & 255u)));
+                                let _e2639 = phi_2867_;
+                                if _e2639 {
+                                    let _e2641 = local_1.group_mask;
+                                    let _e2647 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2641)), 32u, (_e2641 == 0u)));
+                                    let _e2651 = local_1.group_mask;
+                                    let _e2665 = local_1.group_mask;
+                                    local_1.group_mask = (_e2665 & ~((1u << bitcast<u32>((_e2647 & 31u)))));
+                                    let _e2668 = local_1.group;
+                                    phi_2898_ = (_e2668 + countOneBits(((_e2651 & ~((4294967295u << bitcast<u32>((((_e2647 - 24u) ^ _e467) & 31u))))) & 255u)));
                                 } else {
-                                    phi_2910_ = 4294967295u;
+                                    phi_2898_ = 4294967295u;
                                 }
-                                let _e2683 = phi_2910_;
-                                phi_2911_ = _e2683;
+                                let _e2671 = phi_2898_;
+                                phi_2899_ = _e2671;
                             } else {
-                                phi_2911_ = u32();
+                                phi_2899_ = u32();
                             }
-                            let _e2685 = phi_2911_;
-                            phi_846_ = _e2685;
-                            let _e3001 = local_18;
-                            phi_2912_ = _e3001;
-                            phi_2913_ = false;
+                            let _e2673 = phi_2899_;
+                            phi_846_ = _e2673;
+                            let _e2984 = local_16;
+                            phi_849_ = _e2984;
+                            let _e2987 = local_17;
+                            phi_2900_ = _e2987;
+                            phi_2901_ = false;
                         } else {
                             phi_846_ = u32();
-                            phi_2912_ = false;
-                            phi_2913_ = true;
+                            phi_849_ = bool();
+                            phi_2900_ = false;
+                            phi_2901_ = true;
                         }
-                        let _e2687 = phi_846_;
-                        let _e2689 = phi_2912_;
-                        let _e2691 = phi_2913_;
-                        local_12 = _e2691;
+                        let _e2675 = phi_846_;
+                        let _e2677 = phi_849_;
+                        let _e2679 = phi_2900_;
+                        let _e2681 = phi_2901_;
+                        local_12 = _e2681;
                         continue;
                         continuing {
-                            phi_845_ = _e2687;
-                            break if !(_e2689);
+                            phi_845_ = _e2675;
+                            phi_848_ = _e2677;
+                            break if !(_e2679);
                         }
                     }
-                    let _e2694 = local_12;
-                    if _e2694 {
-                        phi_2917_ = false;
+                    let _e2684 = local_12;
+                    if _e2684 {
+                        phi_2905_ = false;
                     } else {
-                        phi_2917_ = true;
+                        phi_2905_ = true;
                     }
-                    let _e2696 = phi_2917_;
-                    if _e2696 {
-                        phi_2921_ = true;
-                    } else {
-                        phi_2921_ = false;
+                    let _e2686 = phi_2905_;
+                    if _e2686 {
                     }
-                    let _e2698 = phi_2921_;
-                    phi_2922_ = _e2698;
+                    phi_2909_ = _e2686;
                 }
-                let _e2700 = phi_2922_;
-                phi_2923_ = _e2700;
-                phi_2924_ = _e323;
+                let _e2688 = phi_2909_;
+                phi_2910_ = _e323;
+                phi_2911_ = _e2688;
             } else {
-                phi_2923_ = bool();
-                phi_2924_ = true;
+                phi_2910_ = true;
+                phi_2911_ = false;
             }
-            let _e2702 = phi_2923_;
-            let _e2704 = phi_2924_;
-            if _e2704 {
-                phi_2928_ = false;
+            let _e2690 = phi_2910_;
+            let _e2692 = phi_2911_;
+            if _e2690 {
+                phi_2915_ = false;
+                phi_2916_ = true;
             } else {
-                phi_2928_ = _e2702;
+                phi_2915_ = true;
+                phi_2916_ = _e2692;
             }
-            let _e2706 = phi_2928_;
-            if _e2706 {
-                phi_2932_ = 0f;
+            let _e2694 = phi_2915_;
+            let _e2696 = phi_2916_;
+            if _e2696 {
+                phi_2920_ = _e2694;
             } else {
-                phi_2932_ = 1f;
+                phi_2920_ = false;
             }
-            let _e2708 = phi_2932_;
-            phi_2933_ = _e2708;
+            let _e2698 = phi_2920_;
+            if _e2698 {
+                phi_2924_ = 0f;
+            } else {
+                phi_2924_ = 1f;
+            }
+            let _e2700 = phi_2924_;
+            phi_2925_ = _e2700;
         }
-        let _e2710 = phi_2933_;
+        let _e2702 = phi_2925_;
         if (_e79.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e79.first_primitive)] = _e2710;
+        visibility.member[(0u + _e79.first_primitive)] = _e2702;
     }
     return;
 }

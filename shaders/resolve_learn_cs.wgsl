@@ -33,11 +33,48 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
     row_z: vec4<f32>,
     row_w: vec4<f32>,
+}
+
+struct abi_ShadowParams {
+    projection: lt_math_LightProjection,
+    light: abi_LightParams,
+    test: vec4<f32>,
+    size: vec2<u32>,
+    map_size: u32,
+    epsilon: f32,
+    root: u32,
+    level_count: u32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_30 {
+    member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Triangle {
@@ -49,28 +86,8 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_29 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
-}
-
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_38 {
-    member: array<lt_bvh_Node>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
@@ -85,34 +102,17 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-struct abi_ShadowParams {
-    projection: lt_math_LightProjection,
-    light: abi_LightParams,
-    test: vec4<f32>,
-    size: vec2<u32>,
-    map_size: u32,
-    epsilon: f32,
-    root: u32,
-    level_count: u32,
-    fade_uv: f32,
-    pad0_: u32,
-}
-
-struct type_44 {
-    member: abi_ShadowParams,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_44;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> nodes: type_38;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_29;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
@@ -210,157 +210,144 @@ fn function_() {
     var phi_653_: bool;
     var phi_684_: u32;
     var phi_686_: u32;
-    var phi_767_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_794_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_821_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_827_: u32;
-    var phi_830_: u32;
-    var phi_844_: u32;
-    var phi_854_: u32;
-    var phi_864_: u32;
-    var phi_882_: u32;
-    var phi_892_: u32;
-    var phi_902_: u32;
-    var phi_938_: u32;
-    var phi_951_: u32;
-    var phi_956_: u32;
-    var phi_957_: u32;
+    var phi_689_: bool;
+    var phi_769_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_796_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_823_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_829_: u32;
+    var phi_832_: u32;
+    var phi_846_: u32;
+    var phi_856_: u32;
+    var phi_866_: u32;
+    var phi_884_: u32;
+    var phi_894_: u32;
+    var phi_904_: u32;
+    var phi_940_: u32;
+    var phi_953_: u32;
     var phi_958_: u32;
-    var phi_828_: u32;
-    var phi_831_: u32;
+    var phi_959_: u32;
+    var phi_960_: u32;
+    var phi_830_: u32;
+    var phi_833_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1016_: u32;
-    var phi_1061_: vec3<f32>;
-    var phi_1062_: vec3<f32>;
-    var phi_1091_: vec3<f32>;
-    var phi_1092_: vec3<f32>;
-    var phi_1121_: vec3<f32>;
-    var phi_1122_: vec3<f32>;
-    var phi_1140_: bool;
-    var phi_1141_: bool;
-    var phi_1145_: f32;
-    var phi_1146_: f32;
-    var phi_1147_: f32;
-    var phi_1148_: f32;
-    var phi_1156_: f32;
-    var phi_1166_: bool;
-    var phi_1167_: bool;
-    var phi_1171_: f32;
-    var phi_1172_: f32;
-    var phi_1173_: f32;
-    var phi_1174_: f32;
-    var phi_1182_: f32;
-    var phi_1192_: bool;
-    var phi_1193_: bool;
-    var phi_1197_: f32;
-    var phi_1198_: f32;
-    var phi_1199_: f32;
-    var phi_1200_: f32;
-    var phi_1208_: f32;
-    var phi_1223_: f32;
-    var phi_1224_: bool;
-    var phi_1225_: f32;
-    var phi_1226_: bool;
+    var phi_1018_: u32;
+    var phi_1021_: bool;
+    var phi_1065_: vec3<f32>;
+    var phi_1066_: vec3<f32>;
+    var phi_1095_: vec3<f32>;
+    var phi_1096_: vec3<f32>;
+    var phi_1125_: vec3<f32>;
+    var phi_1126_: vec3<f32>;
+    var phi_1144_: bool;
+    var phi_1145_: bool;
+    var phi_1149_: f32;
+    var phi_1150_: f32;
+    var phi_1151_: f32;
+    var phi_1152_: f32;
+    var phi_1160_: f32;
+    var phi_1170_: bool;
+    var phi_1171_: bool;
+    var phi_1175_: f32;
+    var phi_1176_: f32;
+    var phi_1177_: f32;
+    var phi_1178_: f32;
+    var phi_1186_: f32;
+    var phi_1196_: bool;
+    var phi_1197_: bool;
+    var phi_1201_: f32;
+    var phi_1202_: f32;
+    var phi_1203_: f32;
+    var phi_1204_: f32;
+    var phi_1212_: f32;
     var phi_1227_: f32;
     var phi_1228_: bool;
-    var phi_1246_: f32;
-    var phi_1247_: bool;
-    var phi_1248_: bool;
-    var phi_1249_: f32;
-    var phi_1250_: bool;
+    var phi_1229_: f32;
+    var phi_1230_: bool;
+    var phi_1231_: f32;
+    var phi_1232_: bool;
+    var phi_1250_: f32;
     var phi_1251_: bool;
+    var phi_1252_: bool;
+    var phi_1253_: f32;
+    var phi_1254_: bool;
     var phi_1255_: bool;
-    var phi_1256_: f32;
-    var phi_1257_: bool;
-    var phi_1285_: vec3<f32>;
-    var phi_1286_: vec3<f32>;
-    var phi_1311_: vec3<f32>;
-    var phi_1312_: vec3<f32>;
-    var phi_1337_: vec3<f32>;
-    var phi_1338_: vec3<f32>;
-    var phi_1394_: f32;
-    var phi_1403_: f32;
-    var phi_1412_: f32;
-    var phi_1421_: f32;
-    var phi_1428_: f32;
-    var phi_1435_: f32;
-    var phi_1448_: f32;
-    var phi_1457_: f32;
-    var phi_1466_: f32;
-    var phi_1475_: f32;
-    var phi_1482_: f32;
-    var phi_1489_: f32;
-    var phi_1506_: f32;
-    var phi_1511_: f32;
-    var phi_1516_: f32;
-    var phi_1524_: f32;
-    var phi_1529_: f32;
-    var phi_1534_: f32;
-    var phi_1546_: f32;
-    var phi_1551_: f32;
-    var phi_1556_: f32;
-    var phi_1561_: f32;
-    var phi_1566_: lt_bvh_triangle_Intersection;
-    var phi_1567_: bool;
-    var phi_1568_: lt_bvh_triangle_Intersection;
-    var phi_1569_: bool;
-    var phi_1573_: lt_bvh_triangle_Intersection;
-    var phi_1574_: bool;
-    var phi_1575_: lt_bvh_triangle_Intersection;
-    var phi_1576_: bool;
-    var phi_1577_: bool;
+    var phi_1259_: bool;
+    var phi_1260_: f32;
+    var phi_1261_: bool;
+    var phi_1289_: vec3<f32>;
+    var phi_1290_: vec3<f32>;
+    var phi_1315_: vec3<f32>;
+    var phi_1316_: vec3<f32>;
+    var phi_1341_: vec3<f32>;
+    var phi_1342_: vec3<f32>;
+    var phi_1398_: f32;
+    var phi_1407_: f32;
+    var phi_1416_: f32;
+    var phi_1425_: f32;
+    var phi_1432_: f32;
+    var phi_1439_: f32;
+    var phi_1452_: f32;
+    var phi_1461_: f32;
+    var phi_1470_: f32;
+    var phi_1479_: f32;
+    var phi_1486_: f32;
+    var phi_1493_: f32;
+    var phi_1510_: f32;
+    var phi_1515_: f32;
+    var phi_1520_: f32;
+    var phi_1528_: f32;
+    var phi_1533_: f32;
+    var phi_1538_: f32;
+    var phi_1550_: f32;
+    var phi_1555_: f32;
+    var phi_1560_: f32;
+    var phi_1565_: f32;
+    var phi_1570_: lt_bvh_triangle_Intersection;
+    var phi_1571_: bool;
+    var phi_1572_: lt_bvh_triangle_Intersection;
+    var phi_1573_: bool;
+    var phi_1577_: lt_bvh_triangle_Intersection;
+    var phi_1578_: bool;
+    var phi_1579_: lt_bvh_triangle_Intersection;
+    var phi_1580_: bool;
     var phi_1581_: bool;
-    var phi_1585_: lt_bvh_triangle_Intersection;
+    var phi_1585_: bool;
+    var phi_1589_: lt_bvh_triangle_Intersection;
+    var phi_1609_: bool;
     var phi_1610_: bool;
     var phi_1611_: bool;
     var phi_1612_: bool;
     var phi_1613_: bool;
     var phi_1614_: bool;
     var phi_1615_: bool;
-    var phi_1616_: bool;
-    var phi_1617_: bool;
-    var phi_1618_: bool;
+    var phi_1019_: u32;
+    var phi_1022_: bool;
     var phi_1619_: bool;
-    var phi_1620_: bool;
-    var phi_1621_: bool;
-    var phi_1625_: bool;
-    var phi_1626_: bool;
-    var phi_1017_: u32;
-    var phi_1627_: bool;
-    var phi_1628_: bool;
-    var phi_1629_: bool;
     var local_4: bool;
-    var phi_1671_: bool;
-    var phi_1672_: bool;
-    var phi_1703_: u32;
-    var phi_1704_: u32;
+    var phi_1661_: bool;
+    var phi_1662_: bool;
+    var phi_1693_: u32;
+    var phi_1694_: u32;
+    var phi_687_: u32;
+    var phi_690_: bool;
+    var phi_1695_: bool;
+    var phi_1696_: bool;
+    var local_5: bool;
+    var phi_1700_: bool;
+    var phi_1704_: bool;
     var phi_1705_: bool;
     var phi_1706_: bool;
-    var phi_687_: u32;
     var phi_1707_: bool;
-    var phi_1708_: bool;
-    var phi_1709_: bool;
-    var phi_1710_: bool;
-    var local_5: bool;
-    var phi_1714_: bool;
-    var phi_1715_: bool;
-    var phi_1719_: bool;
-    var phi_1723_: bool;
-    var phi_1724_: bool;
-    var phi_1725_: bool;
-    var phi_1726_: bool;
-    var phi_1730_: bool;
-    var phi_1734_: f32;
-    var phi_1755_: u32;
-    var phi_1770_: u32;
-    var phi_1775_: u32;
+    var phi_1711_: bool;
+    var phi_1715_: f32;
+    var phi_1736_: u32;
+    var phi_1751_: u32;
+    var phi_1756_: u32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
-    var local_9: bool;
-    var local_10: bool;
 
     let _e52 = id_1;
     let _e59 = arrayLength((&nodes.member));
@@ -510,7 +497,7 @@ fn function_() {
         if _e186 {
             let _e187 = (0u >= _e59);
             if _e187 {
-                phi_1724_ = bool();
+                phi_1705_ = bool();
             } else {
                 if (0u < _e59) {
                 } else {
@@ -701,943 +688,897 @@ fn function_() {
                 }
                 let _e497 = phi_684_;
                 phi_686_ = _e497;
+                phi_689_ = false;
                 loop {
                     let _e499 = phi_686_;
+                    let _e501 = phi_689_;
+                    local_8 = _e501;
                     if (_e499 != 4294967295u) {
                         if (_e499 < _e59) {
                         } else {
                             return;
                         }
-                        let _e506 = nodes.member[(0u + _e499)].frame[3u];
-                        let _e531 = (bitcast<f32>((((_e506 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e263);
-                        let _e532 = (bitcast<f32>((((_e506 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e273);
-                        let _e533 = (bitcast<f32>((((_e506 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e283);
-                        let _e536 = nodes.member[(0u + _e499)].frame[0u];
-                        let _e540 = nodes.member[(0u + _e499)].frame[1u];
-                        let _e544 = nodes.member[(0u + _e499)].frame[2u];
-                        let _e549 = ((bitcast<f32>(_e536) - _e104) * _e263);
-                        let _e550 = ((bitcast<f32>(_e540) - _e106) * _e273);
-                        let _e551 = ((bitcast<f32>(_e544) - _e108) * _e283);
-                        let _e559 = nodes.member[(0u + _e499)].x;
+                        let _e508 = nodes.member[(0u + _e499)].frame[3u];
+                        let _e533 = (bitcast<f32>((((_e508 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e263);
+                        let _e534 = (bitcast<f32>((((_e508 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e273);
+                        let _e535 = (bitcast<f32>((((_e508 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e283);
+                        let _e538 = nodes.member[(0u + _e499)].frame[0u];
+                        let _e542 = nodes.member[(0u + _e499)].frame[1u];
+                        let _e546 = nodes.member[(0u + _e499)].frame[2u];
+                        let _e551 = ((bitcast<f32>(_e538) - _e104) * _e263);
+                        let _e552 = ((bitcast<f32>(_e542) - _e106) * _e273);
+                        let _e553 = ((bitcast<f32>(_e546) - _e108) * _e283);
+                        let _e561 = nodes.member[(0u + _e499)].x;
                         if (_e263 < 0f) {
-                            let _e570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e559.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e570.unnamed.root, _e559.w), _e570.unnamed_1);
-                            let _e582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e576.unnamed, lt_bvh_traverse_Tree(_e559.x, _e576.unnamed_1.first_primitive));
-                            phi_767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e582.unnamed, lt_bvh_traverse_Tree(_e582.unnamed_1.root, _e559.y));
+                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e561.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e572.unnamed.root, _e561.w), _e572.unnamed_1);
+                            let _e584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e561.x, _e578.unnamed_1.first_primitive));
+                            phi_769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e584.unnamed, lt_bvh_traverse_Tree(_e584.unnamed_1.root, _e561.y));
                         } else {
-                            let _e598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e559.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e598.unnamed.root, _e559.y), _e598.unnamed_1);
-                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e604.unnamed, lt_bvh_traverse_Tree(_e559.z, _e604.unnamed_1.first_primitive));
-                            phi_767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_bvh_traverse_Tree(_e610.unnamed_1.root, _e559.w));
+                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e561.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e600.unnamed.root, _e561.y), _e600.unnamed_1);
+                            let _e612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e561.z, _e606.unnamed_1.first_primitive));
+                            phi_769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e612.unnamed, lt_bvh_traverse_Tree(_e612.unnamed_1.root, _e561.w));
                         }
-                        let _e618 = phi_767_;
-                        let _e628 = nodes.member[(0u + _e499)].y;
+                        let _e620 = phi_769_;
+                        let _e630 = nodes.member[(0u + _e499)].y;
                         if (_e273 < 0f) {
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e639.unnamed.root, _e628.w), _e639.unnamed_1);
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_bvh_traverse_Tree(_e628.x, _e645.unnamed_1.first_primitive));
-                            phi_794_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_bvh_traverse_Tree(_e651.unnamed_1.root, _e628.y));
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e630.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e630.w), _e641.unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e630.x, _e647.unnamed_1.first_primitive));
+                            phi_796_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e630.y));
                         } else {
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.unnamed.root, _e628.y), _e667.unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_bvh_traverse_Tree(_e628.z, _e673.unnamed_1.first_primitive));
-                            phi_794_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_bvh_traverse_Tree(_e679.unnamed_1.root, _e628.w));
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e630.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e669.unnamed.root, _e630.y), _e669.unnamed_1);
+                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e630.z, _e675.unnamed_1.first_primitive));
+                            phi_796_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_bvh_traverse_Tree(_e681.unnamed_1.root, _e630.w));
                         }
-                        let _e687 = phi_794_;
-                        let _e697 = nodes.member[(0u + _e499)].z;
+                        let _e689 = phi_796_;
+                        let _e699 = nodes.member[(0u + _e499)].z;
                         if (_e283 < 0f) {
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e708.unnamed.root, _e697.w), _e708.unnamed_1);
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e697.x, _e714.unnamed_1.first_primitive));
-                            phi_821_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_bvh_traverse_Tree(_e720.unnamed_1.root, _e697.y));
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e699.w), _e710.unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e699.x, _e716.unnamed_1.first_primitive));
+                            phi_823_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e699.y));
                         } else {
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.unnamed.root, _e697.y), _e736.unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e697.z, _e742.unnamed_1.first_primitive));
-                            phi_821_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_bvh_traverse_Tree(_e748.unnamed_1.root, _e697.w));
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e738.unnamed.root, _e699.y), _e738.unnamed_1);
+                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e699.z, _e744.unnamed_1.first_primitive));
+                            phi_823_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_bvh_traverse_Tree(_e750.unnamed_1.root, _e699.w));
                         }
-                        let _e756 = phi_821_;
-                        phi_827_ = 0u;
-                        phi_830_ = 0u;
+                        let _e758 = phi_823_;
+                        phi_829_ = 0u;
+                        phi_832_ = 0u;
                         loop {
-                            let _e766 = phi_827_;
-                            let _e768 = phi_830_;
-                            local_1 = _e768;
-                            local_2 = _e768;
-                            local_3 = _e768;
-                            let _e769 = (_e766 < 8u);
-                            if _e769 {
-                                let _e771 = (_e766 >> bitcast<u32>(2i));
-                                let _e772 = (_e766 & 3u);
-                                if (_e771 == 0u) {
-                                    phi_844_ = _e618.unnamed.root;
+                            let _e768 = phi_829_;
+                            let _e770 = phi_832_;
+                            local_1 = _e770;
+                            local_2 = _e770;
+                            local_3 = _e770;
+                            let _e771 = (_e768 < 8u);
+                            if _e771 {
+                                let _e773 = (_e768 >> bitcast<u32>(2i));
+                                let _e774 = (_e768 & 3u);
+                                if (_e773 == 0u) {
+                                    phi_846_ = _e620.unnamed.root;
                                 } else {
-                                    phi_844_ = _e618.unnamed.first_primitive;
+                                    phi_846_ = _e620.unnamed.first_primitive;
                                 }
-                                let _e775 = phi_844_;
-                                if (_e771 == 0u) {
-                                    phi_854_ = _e687.unnamed.root;
+                                let _e777 = phi_846_;
+                                if (_e773 == 0u) {
+                                    phi_856_ = _e689.unnamed.root;
                                 } else {
-                                    phi_854_ = _e687.unnamed.first_primitive;
+                                    phi_856_ = _e689.unnamed.first_primitive;
                                 }
-                                let _e784 = phi_854_;
-                                if (_e771 == 0u) {
-                                    phi_864_ = _e756.unnamed.root;
+                                let _e786 = phi_856_;
+                                if (_e773 == 0u) {
+                                    phi_866_ = _e758.unnamed.root;
                                 } else {
-                                    phi_864_ = _e756.unnamed.first_primitive;
+                                    phi_866_ = _e758.unnamed.first_primitive;
                                 }
-                                let _e793 = phi_864_;
-                                let _e806 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e775 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e311)), ((f32(((_e784 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e312)));
-                                let _e807 = core_intrinsics_maximum_number_nsz_f32_(_e806, ((f32(((_e793 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e313)));
-                                if (_e771 == 0u) {
-                                    phi_882_ = _e618.unnamed_1.root;
+                                let _e795 = phi_866_;
+                                let _e808 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e777 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e311)), ((f32(((_e786 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e312)));
+                                let _e809 = core_intrinsics_maximum_number_nsz_f32_(_e808, ((f32(((_e795 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e535) + (_e553 - _e313)));
+                                if (_e773 == 0u) {
+                                    phi_884_ = _e620.unnamed_1.root;
                                 } else {
-                                    phi_882_ = _e618.unnamed_1.first_primitive;
+                                    phi_884_ = _e620.unnamed_1.first_primitive;
                                 }
-                                let _e810 = phi_882_;
-                                if (_e771 == 0u) {
-                                    phi_892_ = _e687.unnamed_1.root;
+                                let _e812 = phi_884_;
+                                if (_e773 == 0u) {
+                                    phi_894_ = _e689.unnamed_1.root;
                                 } else {
-                                    phi_892_ = _e687.unnamed_1.first_primitive;
+                                    phi_894_ = _e689.unnamed_1.first_primitive;
                                 }
-                                let _e819 = phi_892_;
-                                if (_e771 == 0u) {
-                                    phi_902_ = _e756.unnamed_1.root;
+                                let _e821 = phi_894_;
+                                if (_e773 == 0u) {
+                                    phi_904_ = _e758.unnamed_1.root;
                                 } else {
-                                    phi_902_ = _e756.unnamed_1.first_primitive;
+                                    phi_904_ = _e758.unnamed_1.first_primitive;
                                 }
-                                let _e828 = phi_902_;
-                                let _e841 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e810 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e311)), ((f32(((_e819 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e312)));
-                                let _e842 = core_intrinsics_minimum_number_nsz_f32_(_e841, ((f32(((_e828 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e313)));
-                                if (_e807 <= _e842) {
-                                    if (_e807 <= _e114) {
-                                        if (_e842 >= 0f) {
-                                            if (_e771 == 0u) {
-                                                let _e849 = nodes.member[(0u + _e499)].links[2u];
-                                                phi_938_ = _e849;
+                                let _e830 = phi_904_;
+                                let _e843 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e812 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e311)), ((f32(((_e821 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e312)));
+                                let _e844 = core_intrinsics_minimum_number_nsz_f32_(_e843, ((f32(((_e830 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e535) + (_e553 + _e313)));
+                                if (_e809 <= _e844) {
+                                    if (_e809 <= _e114) {
+                                        if (_e844 >= 0f) {
+                                            if (_e773 == 0u) {
+                                                let _e851 = nodes.member[(0u + _e499)].links[2u];
+                                                phi_940_ = _e851;
                                             } else {
-                                                let _e852 = nodes.member[(0u + _e499)].links[3u];
-                                                phi_938_ = _e852;
+                                                let _e854 = nodes.member[(0u + _e499)].links[3u];
+                                                phi_940_ = _e854;
                                             }
-                                            let _e854 = phi_938_;
-                                            let _e859 = ((_e854 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u);
-                                            let _e860 = (_e859 & 31u);
-                                            if (_e860 >= 24u) {
-                                                phi_951_ = (24u + ((_e860 - 24u) ^ _e361));
+                                            let _e856 = phi_940_;
+                                            let _e861 = ((_e856 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u);
+                                            let _e862 = (_e861 & 31u);
+                                            if (_e862 >= 24u) {
+                                                phi_953_ = (24u + ((_e862 - 24u) ^ _e361));
                                             } else {
-                                                phi_951_ = _e860;
+                                                phi_953_ = _e862;
                                             }
-                                            let _e866 = phi_951_;
-                                            phi_956_ = (_e768 | ((_e859 >> bitcast<u32>(5i)) << bitcast<u32>((_e866 & 31u))));
+                                            let _e868 = phi_953_;
+                                            phi_958_ = (_e770 | ((_e861 >> bitcast<u32>(5i)) << bitcast<u32>((_e868 & 31u))));
                                         } else {
-                                            phi_956_ = _e768;
+                                            phi_958_ = _e770;
                                         }
-                                        let _e874 = phi_956_;
-                                        phi_957_ = _e874;
+                                        let _e876 = phi_958_;
+                                        phi_959_ = _e876;
                                     } else {
-                                        phi_957_ = _e768;
+                                        phi_959_ = _e770;
                                     }
-                                    let _e876 = phi_957_;
-                                    phi_958_ = _e876;
+                                    let _e878 = phi_959_;
+                                    phi_960_ = _e878;
                                 } else {
-                                    phi_958_ = _e768;
+                                    phi_960_ = _e770;
                                 }
-                                let _e878 = phi_958_;
-                                phi_828_ = (_e766 + 1u);
-                                phi_831_ = _e878;
+                                let _e880 = phi_960_;
+                                phi_830_ = (_e768 + 1u);
+                                phi_833_ = _e880;
                             } else {
-                                phi_828_ = u32();
-                                phi_831_ = u32();
+                                phi_830_ = u32();
+                                phi_833_ = u32();
                             }
-                            let _e881 = phi_828_;
-                            let _e883 = phi_831_;
+                            let _e883 = phi_830_;
+                            let _e885 = phi_833_;
                             continue;
                             continuing {
-                                phi_827_ = _e881;
-                                phi_830_ = _e883;
-                                break if !(_e769);
+                                phi_829_ = _e883;
+                                phi_832_ = _e885;
+                                break if !(_e771);
                             }
                         }
-                        let _e887 = nodes.member[(0u + _e499)].links[0u];
-                        let _e891 = nodes.member[(0u + _e499)].frame[3u];
-                        let _e895 = local_1;
-                        if ((_e895 & 4278190080u) == 0u) {
+                        let _e889 = nodes.member[(0u + _e499)].links[0u];
+                        let _e893 = nodes.member[(0u + _e499)].frame[3u];
+                        let _e897 = local_1;
+                        if ((_e897 & 4278190080u) == 0u) {
                         } else {
-                            let _e899 = local.group_mask;
-                            if ((_e899 & 4278190080u) == 0u) {
+                            let _e901 = local.group_mask;
+                            if ((_e901 & 4278190080u) == 0u) {
                             } else {
-                                let _e903 = local.len;
-                                if (_e903 < 32u) {
-                                    let _e906 = local.group;
-                                    let _e908 = local.len;
-                                    if (_e908 < 32u) {
+                                let _e905 = local.len;
+                                if (_e905 < 32u) {
+                                    let _e908 = local.group;
+                                    let _e910 = local.len;
+                                    if (_e910 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e908)] = _e906;
-                                    let _e914 = local.group_mask;
-                                    let _e916 = local.len;
-                                    if (_e916 < 32u) {
+                                    local.first[(0u + _e910)] = _e908;
+                                    let _e916 = local.group_mask;
+                                    let _e918 = local.len;
+                                    if (_e918 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e916)] = _e914;
-                                    let _e923 = local.len;
-                                    local.len = (_e923 + 1u);
+                                    local.mask[(0u + _e918)] = _e916;
+                                    let _e925 = local.len;
+                                    local.len = (_e925 + 1u);
                                 }
                             }
-                            local.group = (0u + _e887);
-                            let _e927 = local_2;
-                            local.group_mask = ((_e927 & 4278190080u) | (_e891 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e889);
+                            let _e929 = local_2;
+                            local.group_mask = ((_e929 & 4278190080u) | (_e893 >> bitcast<u32>(24i)));
                         }
-                        let _e932 = local_3;
-                        phi_1016_ = (_e932 & 16777215u);
+                        let _e934 = local_3;
+                        phi_1018_ = (_e934 & 16777215u);
+                        phi_1021_ = _e501;
                         loop {
-                            let _e935 = phi_1016_;
-                            let _e936 = (_e935 == 0u);
-                            local_4 = _e936;
-                            local_8 = _e936;
-                            if _e936 {
-                                phi_1017_ = u32();
-                                phi_1627_ = false;
-                                phi_1628_ = false;
-                                phi_1629_ = false;
+                            let _e937 = phi_1018_;
+                            let _e939 = phi_1021_;
+                            local_6 = _e939;
+                            let _e940 = (_e937 == 0u);
+                            local_4 = _e940;
+                            local_7 = _e940;
+                            if _e940 {
+                                phi_1019_ = u32();
+                                phi_1022_ = bool();
+                                phi_1619_ = false;
                             } else {
-                                let _e939 = nodes.member[(0u + _e499)].links[1u];
-                                let _e944 = ((0u + _e939) + select(firstTrailingBit(_e935), 32u, (_e935 == 0u)));
-                                if (_e944 < arrayLength((&triangles.member))) {
+                                let _e943 = nodes.member[(0u + _e499)].links[1u];
+                                let _e948 = ((0u + _e943) + select(firstTrailingBit(_e937), 32u, (_e937 == 0u)));
+                                if (_e948 < arrayLength((&triangles.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e951 = triangles.member[(0u + _e944)].v0_;
-                                let _e953 = (_e951.x - _e104);
-                                let _e955 = (_e951.y - _e106);
-                                let _e957 = (_e951.z - _e108);
+                                let _e955 = triangles.member[(0u + _e948)].v0_;
+                                let _e957 = (_e955.x - _e104);
+                                let _e959 = (_e955.y - _e106);
+                                let _e961 = (_e955.z - _e108);
                                 if (_e334 == 0u) {
-                                    phi_1062_ = vec3<f32>(_e955, _e957, _e953);
+                                    phi_1066_ = vec3<f32>(_e959, _e961, _e957);
                                 } else {
                                     if (_e334 == 1u) {
-                                        phi_1061_ = vec3<f32>(_e957, _e953, _e955);
+                                        phi_1065_ = vec3<f32>(_e961, _e957, _e959);
                                     } else {
-                                        phi_1061_ = (_e951 - vec3<f32>(_e104, _e106, _e108));
+                                        phi_1065_ = (_e955 - vec3<f32>(_e104, _e106, _e108));
                                     }
-                                    let _e965 = phi_1061_;
-                                    phi_1062_ = _e965;
+                                    let _e969 = phi_1065_;
+                                    phi_1066_ = _e969;
                                 }
-                                let _e967 = phi_1062_;
-                                let _e971 = (_e967.x - (_e345 * _e967.z));
-                                let _e975 = (_e967.y - (_e348 * _e967.z));
-                                let _e977 = triangles.member[(0u + _e944)].v1_;
-                                let _e979 = (_e977.x - _e104);
-                                let _e981 = (_e977.y - _e106);
-                                let _e983 = (_e977.z - _e108);
+                                let _e971 = phi_1066_;
+                                let _e975 = (_e971.x - (_e345 * _e971.z));
+                                let _e979 = (_e971.y - (_e348 * _e971.z));
+                                let _e981 = triangles.member[(0u + _e948)].v1_;
+                                let _e983 = (_e981.x - _e104);
+                                let _e985 = (_e981.y - _e106);
+                                let _e987 = (_e981.z - _e108);
                                 if (_e334 == 0u) {
-                                    phi_1092_ = vec3<f32>(_e981, _e983, _e979);
+                                    phi_1096_ = vec3<f32>(_e985, _e987, _e983);
                                 } else {
                                     if (_e334 == 1u) {
-                                        phi_1091_ = vec3<f32>(_e983, _e979, _e981);
+                                        phi_1095_ = vec3<f32>(_e987, _e983, _e985);
                                     } else {
-                                        phi_1091_ = (_e977 - vec3<f32>(_e104, _e106, _e108));
+                                        phi_1095_ = (_e981 - vec3<f32>(_e104, _e106, _e108));
                                     }
-                                    let _e991 = phi_1091_;
-                                    phi_1092_ = _e991;
+                                    let _e995 = phi_1095_;
+                                    phi_1096_ = _e995;
                                 }
-                                let _e993 = phi_1092_;
-                                let _e997 = (_e993.x - (_e345 * _e993.z));
-                                let _e1001 = (_e993.y - (_e348 * _e993.z));
-                                let _e1003 = triangles.member[(0u + _e944)].v2_;
-                                let _e1005 = (_e1003.x - _e104);
-                                let _e1007 = (_e1003.y - _e106);
-                                let _e1009 = (_e1003.z - _e108);
+                                let _e997 = phi_1096_;
+                                let _e1001 = (_e997.x - (_e345 * _e997.z));
+                                let _e1005 = (_e997.y - (_e348 * _e997.z));
+                                let _e1007 = triangles.member[(0u + _e948)].v2_;
+                                let _e1009 = (_e1007.x - _e104);
+                                let _e1011 = (_e1007.y - _e106);
+                                let _e1013 = (_e1007.z - _e108);
                                 if (_e334 == 0u) {
-                                    phi_1122_ = vec3<f32>(_e1007, _e1009, _e1005);
+                                    phi_1126_ = vec3<f32>(_e1011, _e1013, _e1009);
                                 } else {
                                     if (_e334 == 1u) {
-                                        phi_1121_ = vec3<f32>(_e1009, _e1005, _e1007);
+                                        phi_1125_ = vec3<f32>(_e1013, _e1009, _e1011);
                                     } else {
-                                        phi_1121_ = (_e1003 - vec3<f32>(_e104, _e106, _e108));
+                                        phi_1125_ = (_e1007 - vec3<f32>(_e104, _e106, _e108));
                                     }
-                                    let _e1017 = phi_1121_;
-                                    phi_1122_ = _e1017;
+                                    let _e1021 = phi_1125_;
+                                    phi_1126_ = _e1021;
                                 }
-                                let _e1019 = phi_1122_;
-                                let _e1023 = (_e1019.x - (_e345 * _e1019.z));
-                                let _e1027 = (_e1019.y - (_e348 * _e1019.z));
-                                if (_e997 < _e1023) {
-                                    phi_1141_ = true;
+                                let _e1023 = phi_1126_;
+                                let _e1027 = (_e1023.x - (_e345 * _e1023.z));
+                                let _e1031 = (_e1023.y - (_e348 * _e1023.z));
+                                if (_e1001 < _e1027) {
+                                    phi_1145_ = true;
                                 } else {
-                                    if (_e997 == _e1023) {
-                                        phi_1140_ = (_e1001 < _e1027);
+                                    if (_e1001 == _e1027) {
+                                        phi_1144_ = (_e1005 < _e1031);
                                     } else {
-                                        phi_1140_ = false;
+                                        phi_1144_ = false;
                                     }
-                                    let _e1032 = phi_1140_;
-                                    phi_1141_ = _e1032;
+                                    let _e1036 = phi_1144_;
+                                    phi_1145_ = _e1036;
                                 }
-                                let _e1034 = phi_1141_;
-                                if _e1034 {
-                                    phi_1145_ = _e1027;
-                                    phi_1146_ = _e1023;
-                                    phi_1147_ = _e1001;
-                                    phi_1148_ = _e997;
+                                let _e1038 = phi_1145_;
+                                if _e1038 {
+                                    phi_1149_ = _e1031;
+                                    phi_1150_ = _e1027;
+                                    phi_1151_ = _e1005;
+                                    phi_1152_ = _e1001;
                                 } else {
-                                    phi_1145_ = _e1001;
-                                    phi_1146_ = _e997;
-                                    phi_1147_ = _e1027;
-                                    phi_1148_ = _e1023;
+                                    phi_1149_ = _e1005;
+                                    phi_1150_ = _e1001;
+                                    phi_1151_ = _e1031;
+                                    phi_1152_ = _e1027;
                                 }
-                                let _e1036 = phi_1145_;
-                                let _e1038 = phi_1146_;
-                                let _e1040 = phi_1147_;
-                                let _e1042 = phi_1148_;
-                                let _e1045 = ((_e1042 * _e1036) - (_e1040 * _e1038));
-                                if _e1034 {
-                                    phi_1156_ = -(_e1045);
+                                let _e1040 = phi_1149_;
+                                let _e1042 = phi_1150_;
+                                let _e1044 = phi_1151_;
+                                let _e1046 = phi_1152_;
+                                let _e1049 = ((_e1046 * _e1040) - (_e1044 * _e1042));
+                                if _e1038 {
+                                    phi_1160_ = -(_e1049);
                                 } else {
-                                    phi_1156_ = _e1045;
+                                    phi_1160_ = _e1049;
                                 }
-                                let _e1048 = phi_1156_;
-                                if (_e1023 < _e971) {
-                                    phi_1167_ = true;
+                                let _e1052 = phi_1160_;
+                                if (_e1027 < _e975) {
+                                    phi_1171_ = true;
                                 } else {
-                                    if (_e1023 == _e971) {
-                                        phi_1166_ = (_e1027 < _e975);
+                                    if (_e1027 == _e975) {
+                                        phi_1170_ = (_e1031 < _e979);
                                     } else {
-                                        phi_1166_ = false;
+                                        phi_1170_ = false;
                                     }
-                                    let _e1053 = phi_1166_;
-                                    phi_1167_ = _e1053;
+                                    let _e1057 = phi_1170_;
+                                    phi_1171_ = _e1057;
                                 }
-                                let _e1055 = phi_1167_;
-                                if _e1055 {
-                                    phi_1171_ = _e975;
-                                    phi_1172_ = _e971;
-                                    phi_1173_ = _e1027;
-                                    phi_1174_ = _e1023;
+                                let _e1059 = phi_1171_;
+                                if _e1059 {
+                                    phi_1175_ = _e979;
+                                    phi_1176_ = _e975;
+                                    phi_1177_ = _e1031;
+                                    phi_1178_ = _e1027;
                                 } else {
-                                    phi_1171_ = _e1027;
-                                    phi_1172_ = _e1023;
-                                    phi_1173_ = _e975;
-                                    phi_1174_ = _e971;
+                                    phi_1175_ = _e1031;
+                                    phi_1176_ = _e1027;
+                                    phi_1177_ = _e979;
+                                    phi_1178_ = _e975;
                                 }
-                                let _e1057 = phi_1171_;
-                                let _e1059 = phi_1172_;
-                                let _e1061 = phi_1173_;
-                                let _e1063 = phi_1174_;
-                                let _e1066 = ((_e1063 * _e1057) - (_e1061 * _e1059));
-                                if _e1055 {
-                                    phi_1182_ = -(_e1066);
+                                let _e1061 = phi_1175_;
+                                let _e1063 = phi_1176_;
+                                let _e1065 = phi_1177_;
+                                let _e1067 = phi_1178_;
+                                let _e1070 = ((_e1067 * _e1061) - (_e1065 * _e1063));
+                                if _e1059 {
+                                    phi_1186_ = -(_e1070);
                                 } else {
-                                    phi_1182_ = _e1066;
+                                    phi_1186_ = _e1070;
                                 }
-                                let _e1069 = phi_1182_;
-                                if (_e971 < _e997) {
-                                    phi_1193_ = true;
+                                let _e1073 = phi_1186_;
+                                if (_e975 < _e1001) {
+                                    phi_1197_ = true;
                                 } else {
-                                    if (_e971 == _e997) {
-                                        phi_1192_ = (_e975 < _e1001);
+                                    if (_e975 == _e1001) {
+                                        phi_1196_ = (_e979 < _e1005);
                                     } else {
-                                        phi_1192_ = false;
+                                        phi_1196_ = false;
                                     }
-                                    let _e1074 = phi_1192_;
-                                    phi_1193_ = _e1074;
+                                    let _e1078 = phi_1196_;
+                                    phi_1197_ = _e1078;
                                 }
-                                let _e1076 = phi_1193_;
-                                if _e1076 {
-                                    phi_1197_ = _e1001;
-                                    phi_1198_ = _e997;
-                                    phi_1199_ = _e975;
-                                    phi_1200_ = _e971;
+                                let _e1080 = phi_1197_;
+                                if _e1080 {
+                                    phi_1201_ = _e1005;
+                                    phi_1202_ = _e1001;
+                                    phi_1203_ = _e979;
+                                    phi_1204_ = _e975;
                                 } else {
-                                    phi_1197_ = _e975;
-                                    phi_1198_ = _e971;
-                                    phi_1199_ = _e1001;
-                                    phi_1200_ = _e997;
+                                    phi_1201_ = _e979;
+                                    phi_1202_ = _e975;
+                                    phi_1203_ = _e1005;
+                                    phi_1204_ = _e1001;
                                 }
-                                let _e1078 = phi_1197_;
-                                let _e1080 = phi_1198_;
-                                let _e1082 = phi_1199_;
-                                let _e1084 = phi_1200_;
-                                let _e1087 = ((_e1084 * _e1078) - (_e1082 * _e1080));
-                                if _e1076 {
-                                    phi_1208_ = -(_e1087);
+                                let _e1082 = phi_1201_;
+                                let _e1084 = phi_1202_;
+                                let _e1086 = phi_1203_;
+                                let _e1088 = phi_1204_;
+                                let _e1091 = ((_e1088 * _e1082) - (_e1086 * _e1084));
+                                if _e1080 {
+                                    phi_1212_ = -(_e1091);
                                 } else {
-                                    phi_1208_ = _e1087;
+                                    phi_1212_ = _e1091;
                                 }
-                                let _e1090 = phi_1208_;
-                                if (_e1048 >= 0f) {
-                                    if (_e1069 >= 0f) {
-                                        if (_e1090 >= 0f) {
-                                            phi_1223_ = ((_e1048 + _e1069) + _e1090);
-                                            phi_1224_ = false;
+                                let _e1094 = phi_1212_;
+                                if (_e1052 >= 0f) {
+                                    if (_e1073 >= 0f) {
+                                        if (_e1094 >= 0f) {
+                                            phi_1227_ = ((_e1052 + _e1073) + _e1094);
+                                            phi_1228_ = false;
                                         } else {
-                                            phi_1223_ = f32();
-                                            phi_1224_ = true;
+                                            phi_1227_ = f32();
+                                            phi_1228_ = true;
                                         }
-                                        let _e1097 = phi_1223_;
-                                        let _e1099 = phi_1224_;
-                                        phi_1225_ = _e1097;
-                                        phi_1226_ = _e1099;
+                                        let _e1101 = phi_1227_;
+                                        let _e1103 = phi_1228_;
+                                        phi_1229_ = _e1101;
+                                        phi_1230_ = _e1103;
                                     } else {
-                                        phi_1225_ = f32();
-                                        phi_1226_ = true;
+                                        phi_1229_ = f32();
+                                        phi_1230_ = true;
                                     }
-                                    let _e1101 = phi_1225_;
-                                    let _e1103 = phi_1226_;
-                                    phi_1227_ = _e1101;
-                                    phi_1228_ = _e1103;
+                                    let _e1105 = phi_1229_;
+                                    let _e1107 = phi_1230_;
+                                    phi_1231_ = _e1105;
+                                    phi_1232_ = _e1107;
                                 } else {
-                                    phi_1227_ = f32();
-                                    phi_1228_ = true;
+                                    phi_1231_ = f32();
+                                    phi_1232_ = true;
                                 }
-                                let _e1105 = phi_1227_;
-                                let _e1107 = phi_1228_;
-                                if _e1107 {
-                                    if (_e1048 <= 0f) {
-                                        if (_e1069 <= 0f) {
-                                            let _e1110 = (_e1090 <= 0f);
-                                            if _e1110 {
+                                let _e1109 = phi_1231_;
+                                let _e1111 = phi_1232_;
+                                if _e1111 {
+                                    if (_e1052 <= 0f) {
+                                        if (_e1073 <= 0f) {
+                                            let _e1114 = (_e1094 <= 0f);
+                                            if _e1114 {
                                             }
-                                            phi_1246_ = ((_e1048 + _e1069) + _e1090);
-                                            phi_1247_ = false;
-                                            phi_1248_ = _e1110;
+                                            phi_1250_ = ((_e1052 + _e1073) + _e1094);
+                                            phi_1251_ = false;
+                                            phi_1252_ = _e1114;
                                         } else {
-                                            phi_1246_ = f32();
-                                            phi_1247_ = true;
-                                            phi_1248_ = false;
+                                            phi_1250_ = f32();
+                                            phi_1251_ = true;
+                                            phi_1252_ = false;
                                         }
-                                        let _e1114 = phi_1246_;
-                                        let _e1116 = phi_1247_;
-                                        let _e1118 = phi_1248_;
-                                        phi_1249_ = _e1114;
-                                        phi_1250_ = _e1116;
-                                        phi_1251_ = _e1118;
+                                        let _e1118 = phi_1250_;
+                                        let _e1120 = phi_1251_;
+                                        let _e1122 = phi_1252_;
+                                        phi_1253_ = _e1118;
+                                        phi_1254_ = _e1120;
+                                        phi_1255_ = _e1122;
                                     } else {
-                                        phi_1249_ = f32();
-                                        phi_1250_ = true;
-                                        phi_1251_ = false;
-                                    }
-                                    let _e1120 = phi_1249_;
-                                    let _e1122 = phi_1250_;
-                                    let _e1124 = phi_1251_;
-                                    if _e1122 {
+                                        phi_1253_ = f32();
+                                        phi_1254_ = true;
                                         phi_1255_ = false;
-                                    } else {
-                                        phi_1255_ = _e1124;
                                     }
-                                    let _e1126 = phi_1255_;
-                                    phi_1256_ = _e1120;
-                                    phi_1257_ = _e1126;
-                                } else {
-                                    phi_1256_ = _e1105;
-                                    phi_1257_ = true;
-                                }
-                                let _e1128 = phi_1256_;
-                                let _e1130 = phi_1257_;
-                                if _e1130 {
-                                    let _e1131 = (_e1128 == 0f);
-                                    if _e1131 {
-                                        phi_1573_ = lt_bvh_triangle_Intersection();
-                                        phi_1574_ = false;
+                                    let _e1124 = phi_1253_;
+                                    let _e1126 = phi_1254_;
+                                    let _e1128 = phi_1255_;
+                                    if _e1126 {
+                                        phi_1259_ = false;
                                     } else {
-                                        let _e1133 = triangles.member[(0u + _e944)].v0_;
-                                        let _e1135 = (_e1133.x - _e104);
-                                        let _e1137 = (_e1133.y - _e106);
-                                        let _e1139 = (_e1133.z - _e108);
-                                        if (_e334 == 0u) {
-                                            phi_1286_ = vec3<f32>(_e1137, _e1139, _e1135);
-                                        } else {
-                                            if (_e334 == 1u) {
-                                                phi_1285_ = vec3<f32>(_e1139, _e1135, _e1137);
-                                            } else {
-                                                phi_1285_ = (_e1133 - vec3<f32>(_e104, _e106, _e108));
-                                            }
-                                            let _e1147 = phi_1285_;
-                                            phi_1286_ = _e1147;
-                                        }
-                                        let _e1149 = phi_1286_;
-                                        let _e1151 = triangles.member[(0u + _e944)].v1_;
-                                        let _e1153 = triangles.member[(0u + _e944)].v0_;
-                                        let _e1156 = (_e1151.x - _e1153.x);
-                                        let _e1159 = (_e1151.y - _e1153.y);
-                                        let _e1162 = (_e1151.z - _e1153.z);
-                                        if (_e334 == 0u) {
-                                            phi_1312_ = vec3<f32>(_e1159, _e1162, _e1156);
-                                        } else {
-                                            if (_e334 == 1u) {
-                                                phi_1311_ = vec3<f32>(_e1162, _e1156, _e1159);
-                                            } else {
-                                                phi_1311_ = (_e1151 - _e1153);
-                                            }
-                                            let _e1169 = phi_1311_;
-                                            phi_1312_ = _e1169;
-                                        }
-                                        let _e1171 = phi_1312_;
-                                        let _e1173 = triangles.member[(0u + _e944)].v2_;
-                                        let _e1175 = triangles.member[(0u + _e944)].v0_;
-                                        let _e1178 = (_e1173.x - _e1175.x);
-                                        let _e1181 = (_e1173.y - _e1175.y);
-                                        let _e1184 = (_e1173.z - _e1175.z);
-                                        if (_e334 == 0u) {
-                                            phi_1338_ = vec3<f32>(_e1181, _e1184, _e1178);
-                                        } else {
-                                            if (_e334 == 1u) {
-                                                phi_1337_ = vec3<f32>(_e1184, _e1178, _e1181);
-                                            } else {
-                                                phi_1337_ = (_e1173 - _e1175);
-                                            }
-                                            let _e1191 = phi_1337_;
-                                            phi_1338_ = _e1191;
-                                        }
-                                        let _e1193 = phi_1338_;
-                                        let _e1200 = ((_e1171.y * _e1193.z) - (_e1171.z * _e1193.y));
-                                        let _e1207 = ((_e1171.z * _e1193.x) - (_e1171.x * _e1193.z));
-                                        let _e1214 = ((_e1171.x * _e1193.y) - (_e1171.y * _e1193.x));
-                                        let _e1228 = (((1f / _e342.z) * (((_e1200 * _e1149.x) + (_e1207 * _e1149.y)) + (_e1214 * _e1149.z))) / (((_e1200 * _e345) + (_e1207 * _e348)) + _e1214));
-                                        if (_e1228 > 0f) {
-                                            if (_e1228 < _e114) {
-                                                let _e1232 = triangles.member[(0u + _e944)].v0_;
-                                                let _e1234 = triangles.member[(0u + _e944)].v1_;
-                                                if (_e1232.x < _e1234.x) {
-                                                    phi_1394_ = _e1232.x;
-                                                } else {
-                                                    phi_1394_ = _e1234.x;
-                                                }
-                                                let _e1241 = phi_1394_;
-                                                if (_e1232.y < _e1234.y) {
-                                                    phi_1403_ = _e1232.y;
-                                                } else {
-                                                    phi_1403_ = _e1234.y;
-                                                }
-                                                let _e1248 = phi_1403_;
-                                                if (_e1232.z < _e1234.z) {
-                                                    phi_1412_ = _e1232.z;
-                                                } else {
-                                                    phi_1412_ = _e1234.z;
-                                                }
-                                                let _e1255 = phi_1412_;
-                                                let _e1257 = triangles.member[(0u + _e944)].v2_;
-                                                if (_e1241 < _e1257.x) {
-                                                    phi_1421_ = _e1241;
-                                                } else {
-                                                    phi_1421_ = _e1257.x;
-                                                }
-                                                let _e1262 = phi_1421_;
-                                                if (_e1248 < _e1257.y) {
-                                                    phi_1428_ = _e1248;
-                                                } else {
-                                                    phi_1428_ = _e1257.y;
-                                                }
-                                                let _e1267 = phi_1428_;
-                                                if (_e1255 < _e1257.z) {
-                                                    phi_1435_ = _e1255;
-                                                } else {
-                                                    phi_1435_ = _e1257.z;
-                                                }
-                                                let _e1272 = phi_1435_;
-                                                let _e1274 = triangles.member[(0u + _e944)].v0_;
-                                                let _e1276 = triangles.member[(0u + _e944)].v1_;
-                                                if (_e1274.x > _e1276.x) {
-                                                    phi_1448_ = _e1274.x;
-                                                } else {
-                                                    phi_1448_ = _e1276.x;
-                                                }
-                                                let _e1283 = phi_1448_;
-                                                if (_e1274.y > _e1276.y) {
-                                                    phi_1457_ = _e1274.y;
-                                                } else {
-                                                    phi_1457_ = _e1276.y;
-                                                }
-                                                let _e1290 = phi_1457_;
-                                                if (_e1274.z > _e1276.z) {
-                                                    phi_1466_ = _e1274.z;
-                                                } else {
-                                                    phi_1466_ = _e1276.z;
-                                                }
-                                                let _e1297 = phi_1466_;
-                                                let _e1299 = triangles.member[(0u + _e944)].v2_;
-                                                if (_e1283 > _e1299.x) {
-                                                    phi_1475_ = _e1283;
-                                                } else {
-                                                    phi_1475_ = _e1299.x;
-                                                }
-                                                let _e1304 = phi_1475_;
-                                                if (_e1290 > _e1299.y) {
-                                                    phi_1482_ = _e1290;
-                                                } else {
-                                                    phi_1482_ = _e1299.y;
-                                                }
-                                                let _e1309 = phi_1482_;
-                                                if (_e1297 > _e1299.z) {
-                                                    phi_1489_ = _e1297;
-                                                } else {
-                                                    phi_1489_ = _e1299.z;
-                                                }
-                                                let _e1314 = phi_1489_;
-                                                let _e1318 = ((_e1262 - _e104) * _e263);
-                                                let _e1319 = ((_e1267 - _e106) * _e273);
-                                                let _e1320 = ((_e1272 - _e108) * _e283);
-                                                let _e1324 = ((_e1304 - _e104) * _e263);
-                                                let _e1325 = ((_e1309 - _e106) * _e273);
-                                                let _e1326 = ((_e1314 - _e108) * _e283);
-                                                if (_e1318 < _e1324) {
-                                                    phi_1506_ = _e1318;
-                                                } else {
-                                                    phi_1506_ = _e1324;
-                                                }
-                                                let _e1329 = phi_1506_;
-                                                if (_e1319 < _e1325) {
-                                                    phi_1511_ = _e1319;
-                                                } else {
-                                                    phi_1511_ = _e1325;
-                                                }
-                                                let _e1332 = phi_1511_;
-                                                if (_e1320 < _e1326) {
-                                                    phi_1516_ = _e1320;
-                                                } else {
-                                                    phi_1516_ = _e1326;
-                                                }
-                                                let _e1335 = phi_1516_;
-                                                if (_e1318 > _e1324) {
-                                                    phi_1524_ = _e1318;
-                                                } else {
-                                                    phi_1524_ = _e1324;
-                                                }
-                                                let _e1341 = phi_1524_;
-                                                if (_e1319 > _e1325) {
-                                                    phi_1529_ = _e1319;
-                                                } else {
-                                                    phi_1529_ = _e1325;
-                                                }
-                                                let _e1344 = phi_1529_;
-                                                if (_e1320 > _e1326) {
-                                                    phi_1534_ = _e1320;
-                                                } else {
-                                                    phi_1534_ = _e1326;
-                                                }
-                                                let _e1347 = phi_1534_;
-                                                let _e1351 = core_intrinsics_maximum_number_nsz_f32_((_e1329 - _e318), (_e1332 - _e319));
-                                                let _e1352 = core_intrinsics_maximum_number_nsz_f32_(_e1351, (_e1335 - _e320));
-                                                let _e1353 = core_intrinsics_minimum_number_nsz_f32_((_e1341 + _e318), (_e1344 + _e319));
-                                                let _e1354 = core_intrinsics_minimum_number_nsz_f32_(_e1353, (_e1347 + _e320));
-                                                if (_e1352 > -300000000000000000000000000000000000000f) {
-                                                    phi_1546_ = _e1352;
-                                                } else {
-                                                    phi_1546_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1357 = phi_1546_;
-                                                if (_e1354 < 300000000000000000000000000000000000000f) {
-                                                    phi_1551_ = _e1354;
-                                                } else {
-                                                    phi_1551_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1360 = phi_1551_;
-                                                if (_e1228 < _e1357) {
-                                                    phi_1556_ = _e1357;
-                                                } else {
-                                                    phi_1556_ = _e1228;
-                                                }
-                                                let _e1363 = phi_1556_;
-                                                if (_e1363 > _e1360) {
-                                                    phi_1561_ = _e1360;
-                                                } else {
-                                                    phi_1561_ = _e1363;
-                                                }
-                                                let _e1366 = phi_1561_;
-                                                phi_1566_ = lt_bvh_triangle_Intersection(_e1366, (_e1069 / _e1128), (_e1090 / _e1128), (_e1357 <= _e1360));
-                                                phi_1567_ = false;
-                                            } else {
-                                                phi_1566_ = lt_bvh_triangle_Intersection();
-                                                phi_1567_ = true;
-                                            }
-                                            let _e1372 = phi_1566_;
-                                            let _e1374 = phi_1567_;
-                                            phi_1568_ = _e1372;
-                                            phi_1569_ = _e1374;
-                                        } else {
-                                            phi_1568_ = lt_bvh_triangle_Intersection();
-                                            phi_1569_ = true;
-                                        }
-                                        let _e1376 = phi_1568_;
-                                        let _e1378 = phi_1569_;
-                                        if _e1378 {
-                                        }
-                                        phi_1573_ = _e1376;
-                                        phi_1574_ = _e1378;
+                                        phi_1259_ = _e1128;
                                     }
-                                    let _e1380 = phi_1573_;
-                                    let _e1382 = phi_1574_;
-                                    phi_1575_ = _e1380;
-                                    phi_1576_ = _e1131;
-                                    phi_1577_ = _e1382;
+                                    let _e1130 = phi_1259_;
+                                    phi_1260_ = _e1124;
+                                    phi_1261_ = _e1130;
                                 } else {
-                                    phi_1575_ = lt_bvh_triangle_Intersection();
-                                    phi_1576_ = true;
-                                    phi_1577_ = false;
+                                    phi_1260_ = _e1109;
+                                    phi_1261_ = true;
                                 }
-                                let _e1384 = phi_1575_;
-                                let _e1386 = phi_1576_;
-                                let _e1388 = phi_1577_;
-                                if _e1386 {
-                                    phi_1581_ = true;
+                                let _e1132 = phi_1260_;
+                                let _e1134 = phi_1261_;
+                                if _e1134 {
+                                    let _e1135 = (_e1132 == 0f);
+                                    if _e1135 {
+                                        phi_1577_ = lt_bvh_triangle_Intersection();
+                                        phi_1578_ = false;
+                                    } else {
+                                        let _e1137 = triangles.member[(0u + _e948)].v0_;
+                                        let _e1139 = (_e1137.x - _e104);
+                                        let _e1141 = (_e1137.y - _e106);
+                                        let _e1143 = (_e1137.z - _e108);
+                                        if (_e334 == 0u) {
+                                            phi_1290_ = vec3<f32>(_e1141, _e1143, _e1139);
+                                        } else {
+                                            if (_e334 == 1u) {
+                                                phi_1289_ = vec3<f32>(_e1143, _e1139, _e1141);
+                                            } else {
+                                                phi_1289_ = (_e1137 - vec3<f32>(_e104, _e106, _e108));
+                                            }
+                                            let _e1151 = phi_1289_;
+                                            phi_1290_ = _e1151;
+                                        }
+                                        let _e1153 = phi_1290_;
+                                        let _e1155 = triangles.member[(0u + _e948)].v1_;
+                                        let _e1157 = triangles.member[(0u + _e948)].v0_;
+                                        let _e1160 = (_e1155.x - _e1157.x);
+                                        let _e1163 = (_e1155.y - _e1157.y);
+                                        let _e1166 = (_e1155.z - _e1157.z);
+                                        if (_e334 == 0u) {
+                                            phi_1316_ = vec3<f32>(_e1163, _e1166, _e1160);
+                                        } else {
+                                            if (_e334 == 1u) {
+                                                phi_1315_ = vec3<f32>(_e1166, _e1160, _e1163);
+                                            } else {
+                                                phi_1315_ = (_e1155 - _e1157);
+                                            }
+                                            let _e1173 = phi_1315_;
+                                            phi_1316_ = _e1173;
+                                        }
+                                        let _e1175 = phi_1316_;
+                                        let _e1177 = triangles.member[(0u + _e948)].v2_;
+                                        let _e1179 = triangles.member[(0u + _e948)].v0_;
+                                        let _e1182 = (_e1177.x - _e1179.x);
+                                        let _e1185 = (_e1177.y - _e1179.y);
+                                        let _e1188 = (_e1177.z - _e1179.z);
+                                        if (_e334 == 0u) {
+                                            phi_1342_ = vec3<f32>(_e1185, _e1188, _e1182);
+                                        } else {
+                                            if (_e334 == 1u) {
+                                                phi_1341_ = vec3<f32>(_e1188, _e1182, _e1185);
+                                            } else {
+                                                phi_1341_ = (_e1177 - _e1179);
+                                            }
+                                            let _e1195 = phi_1341_;
+                                            phi_1342_ = _e1195;
+                                        }
+                                        let _e1197 = phi_1342_;
+                                        let _e1204 = ((_e1175.y * _e1197.z) - (_e1175.z * _e1197.y));
+                                        let _e1211 = ((_e1175.z * _e1197.x) - (_e1175.x * _e1197.z));
+                                        let _e1218 = ((_e1175.x * _e1197.y) - (_e1175.y * _e1197.x));
+                                        let _e1232 = (((1f / _e342.z) * (((_e1204 * _e1153.x) + (_e1211 * _e1153.y)) + (_e1218 * _e1153.z))) / (((_e1204 * _e345) + (_e1211 * _e348)) + _e1218));
+                                        if (_e1232 > 0f) {
+                                            if (_e1232 < _e114) {
+                                                let _e1236 = triangles.member[(0u + _e948)].v0_;
+                                                let _e1238 = triangles.member[(0u + _e948)].v1_;
+                                                if (_e1236.x < _e1238.x) {
+                                                    phi_1398_ = _e1236.x;
+                                                } else {
+                                                    phi_1398_ = _e1238.x;
+                                                }
+                                                let _e1245 = phi_1398_;
+                                                if (_e1236.y < _e1238.y) {
+                                                    phi_1407_ = _e1236.y;
+                                                } else {
+                                                    phi_1407_ = _e1238.y;
+                                                }
+                                                let _e1252 = phi_1407_;
+                                                if (_e1236.z < _e1238.z) {
+                                                    phi_1416_ = _e1236.z;
+                                                } else {
+                                                    phi_1416_ = _e1238.z;
+                                                }
+                                                let _e1259 = phi_1416_;
+                                                let _e1261 = triangles.member[(0u + _e948)].v2_;
+                                                if (_e1245 < _e1261.x) {
+                                                    phi_1425_ = _e1245;
+                                                } else {
+                                                    phi_1425_ = _e1261.x;
+                                                }
+                                                let _e1266 = phi_1425_;
+                                                if (_e1252 < _e1261.y) {
+                                                    phi_1432_ = _e1252;
+                                                } else {
+                                                    phi_1432_ = _e1261.y;
+                                                }
+                                                let _e1271 = phi_1432_;
+                                                if (_e1259 < _e1261.z) {
+                                                    phi_1439_ = _e1259;
+                                                } else {
+                                                    phi_1439_ = _e1261.z;
+                                                }
+                                                let _e1276 = phi_1439_;
+                                                let _e1278 = triangles.member[(0u + _e948)].v0_;
+                                                let _e1280 = triangles.member[(0u + _e948)].v1_;
+                                                if (_e1278.x > _e1280.x) {
+                                                    phi_1452_ = _e1278.x;
+                                                } else {
+                                                    phi_1452_ = _e1280.x;
+                                                }
+                                                let _e1287 = phi_1452_;
+                                                if (_e1278.y > _e1280.y) {
+                                                    phi_1461_ = _e1278.y;
+                                                } else {
+                                                    phi_1461_ = _e1280.y;
+                                                }
+                                                let _e1294 = phi_1461_;
+                                                if (_e1278.z > _e1280.z) {
+                                                    phi_1470_ = _e1278.z;
+                                                } else {
+                                                    phi_1470_ = _e1280.z;
+                                                }
+                                                let _e1301 = phi_1470_;
+                                                let _e1303 = triangles.member[(0u + _e948)].v2_;
+                                                if (_e1287 > _e1303.x) {
+                                                    phi_1479_ = _e1287;
+                                                } else {
+                                                    phi_1479_ = _e1303.x;
+                                                }
+                                                let _e1308 = phi_1479_;
+                                                if (_e1294 > _e1303.y) {
+                                                    phi_1486_ = _e1294;
+                                                } else {
+                                                    phi_1486_ = _e1303.y;
+                                                }
+                                                let _e1313 = phi_1486_;
+                                                if (_e1301 > _e1303.z) {
+                                                    phi_1493_ = _e1301;
+                                                } else {
+                                                    phi_1493_ = _e1303.z;
+                                                }
+                                                let _e1318 = phi_1493_;
+                                                let _e1322 = ((_e1266 - _e104) * _e263);
+                                                let _e1323 = ((_e1271 - _e106) * _e273);
+                                                let _e1324 = ((_e1276 - _e108) * _e283);
+                                                let _e1328 = ((_e1308 - _e104) * _e263);
+                                                let _e1329 = ((_e1313 - _e106) * _e273);
+                                                let _e1330 = ((_e1318 - _e108) * _e283);
+                                                if (_e1322 < _e1328) {
+                                                    phi_1510_ = _e1322;
+                                                } else {
+                                                    phi_1510_ = _e1328;
+                                                }
+                                                let _e1333 = phi_1510_;
+                                                if (_e1323 < _e1329) {
+                                                    phi_1515_ = _e1323;
+                                                } else {
+                                                    phi_1515_ = _e1329;
+                                                }
+                                                let _e1336 = phi_1515_;
+                                                if (_e1324 < _e1330) {
+                                                    phi_1520_ = _e1324;
+                                                } else {
+                                                    phi_1520_ = _e1330;
+                                                }
+                                                let _e1339 = phi_1520_;
+                                                if (_e1322 > _e1328) {
+                                                    phi_1528_ = _e1322;
+                                                } else {
+                                                    phi_1528_ = _e1328;
+                                                }
+                                                let _e1345 = phi_1528_;
+                                                if (_e1323 > _e1329) {
+                                                    phi_1533_ = _e1323;
+                                                } else {
+                                                    phi_1533_ = _e1329;
+                                                }
+                                                let _e1348 = phi_1533_;
+                                                if (_e1324 > _e1330) {
+                                                    phi_1538_ = _e1324;
+                                                } else {
+                                                    phi_1538_ = _e1330;
+                                                }
+                                                let _e1351 = phi_1538_;
+                                                let _e1355 = core_intrinsics_maximum_number_nsz_f32_((_e1333 - _e318), (_e1336 - _e319));
+                                                let _e1356 = core_intrinsics_maximum_number_nsz_f32_(_e1355, (_e1339 - _e320));
+                                                let _e1357 = core_intrinsics_minimum_number_nsz_f32_((_e1345 + _e318), (_e1348 + _e319));
+                                                let _e1358 = core_intrinsics_minimum_number_nsz_f32_(_e1357, (_e1351 + _e320));
+                                                if (_e1356 > -300000000000000000000000000000000000000f) {
+                                                    phi_1550_ = _e1356;
+                                                } else {
+                                                    phi_1550_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1361 = phi_1550_;
+                                                if (_e1358 < 300000000000000000000000000000000000000f) {
+                                                    phi_1555_ = _e1358;
+                                                } else {
+                                                    phi_1555_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1364 = phi_1555_;
+                                                if (_e1232 < _e1361) {
+                                                    phi_1560_ = _e1361;
+                                                } else {
+                                                    phi_1560_ = _e1232;
+                                                }
+                                                let _e1367 = phi_1560_;
+                                                if (_e1367 > _e1364) {
+                                                    phi_1565_ = _e1364;
+                                                } else {
+                                                    phi_1565_ = _e1367;
+                                                }
+                                                let _e1370 = phi_1565_;
+                                                phi_1570_ = lt_bvh_triangle_Intersection(_e1370, (_e1073 / _e1132), (_e1094 / _e1132), (_e1361 <= _e1364));
+                                                phi_1571_ = false;
+                                            } else {
+                                                phi_1570_ = lt_bvh_triangle_Intersection();
+                                                phi_1571_ = true;
+                                            }
+                                            let _e1376 = phi_1570_;
+                                            let _e1378 = phi_1571_;
+                                            phi_1572_ = _e1376;
+                                            phi_1573_ = _e1378;
+                                        } else {
+                                            phi_1572_ = lt_bvh_triangle_Intersection();
+                                            phi_1573_ = true;
+                                        }
+                                        let _e1380 = phi_1572_;
+                                        let _e1382 = phi_1573_;
+                                        if _e1382 {
+                                        }
+                                        phi_1577_ = _e1380;
+                                        phi_1578_ = _e1382;
+                                    }
+                                    let _e1384 = phi_1577_;
+                                    let _e1386 = phi_1578_;
+                                    phi_1579_ = _e1384;
+                                    phi_1580_ = _e1135;
+                                    phi_1581_ = _e1386;
                                 } else {
-                                    phi_1581_ = _e1388;
+                                    phi_1579_ = lt_bvh_triangle_Intersection();
+                                    phi_1580_ = true;
+                                    phi_1581_ = false;
                                 }
-                                let _e1390 = phi_1581_;
+                                let _e1388 = phi_1579_;
+                                let _e1390 = phi_1580_;
+                                let _e1392 = phi_1581_;
                                 if _e1390 {
-                                    phi_1585_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    phi_1585_ = true;
                                 } else {
-                                    phi_1585_ = _e1384;
+                                    phi_1585_ = _e1392;
                                 }
-                                let _e1392 = phi_1585_;
-                                if _e1392.is_hit {
-                                    if (_e1392.t > 0f) {
-                                        if (_e1392.t < _e114) {
-                                            let _e1399 = triangles.member[(0u + _e944)].i0_;
-                                            let _e1401 = ((_e1399 & 2147483648u) == 0u);
-                                            if _e1401 {
-                                                phi_1611_ = false;
-                                                phi_1612_ = false;
+                                let _e1394 = phi_1585_;
+                                if _e1394 {
+                                    phi_1589_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_1589_ = _e1388;
+                                }
+                                let _e1396 = phi_1589_;
+                                if _e1396.is_hit {
+                                    if (_e1396.t > 0f) {
+                                        if (_e1396.t < _e114) {
+                                            if true {
+                                                phi_1609_ = false;
                                             } else {
-                                                if true {
-                                                    phi_1610_ = false;
-                                                } else {
-                                                    phi_1610_ = true;
-                                                }
-                                                let _e1403 = phi_1610_;
-                                                phi_1611_ = _e1403;
-                                                phi_1612_ = true;
+                                                phi_1609_ = true;
                                             }
-                                            let _e1405 = phi_1611_;
-                                            let _e1407 = phi_1612_;
-                                            phi_1613_ = _e1405;
-                                            phi_1614_ = _e1401;
-                                            phi_1615_ = _e1407;
+                                            let _e1405 = phi_1609_;
+                                            phi_1610_ = true;
+                                            phi_1611_ = _e1405;
                                         } else {
-                                            phi_1613_ = true;
-                                            phi_1614_ = false;
-                                            phi_1615_ = false;
+                                            phi_1610_ = _e939;
+                                            phi_1611_ = true;
                                         }
-                                        let _e1409 = phi_1613_;
-                                        let _e1411 = phi_1614_;
-                                        let _e1413 = phi_1615_;
-                                        phi_1616_ = _e1409;
-                                        phi_1617_ = _e1411;
-                                        phi_1618_ = _e1413;
+                                        let _e1407 = phi_1610_;
+                                        let _e1409 = phi_1611_;
+                                        phi_1612_ = _e1407;
+                                        phi_1613_ = _e1409;
                                     } else {
-                                        phi_1616_ = true;
-                                        phi_1617_ = false;
-                                        phi_1618_ = false;
+                                        phi_1612_ = _e939;
+                                        phi_1613_ = true;
                                     }
-                                    let _e1415 = phi_1616_;
-                                    let _e1417 = phi_1617_;
-                                    let _e1419 = phi_1618_;
-                                    phi_1619_ = _e1415;
-                                    phi_1620_ = _e1417;
-                                    phi_1621_ = _e1419;
+                                    let _e1411 = phi_1612_;
+                                    let _e1413 = phi_1613_;
+                                    phi_1614_ = _e1411;
+                                    phi_1615_ = _e1413;
                                 } else {
-                                    phi_1619_ = true;
-                                    phi_1620_ = false;
-                                    phi_1621_ = false;
+                                    phi_1614_ = _e939;
+                                    phi_1615_ = true;
                                 }
-                                let _e1421 = phi_1619_;
-                                let _e1423 = phi_1620_;
-                                let _e1425 = phi_1621_;
-                                if _e1421 {
-                                    phi_1625_ = false;
-                                    phi_1626_ = false;
-                                } else {
-                                    phi_1625_ = _e1423;
-                                    phi_1626_ = _e1425;
+                                let _e1415 = phi_1614_;
+                                let _e1417 = phi_1615_;
+                                if _e1417 {
                                 }
-                                let _e1427 = phi_1625_;
-                                let _e1429 = phi_1626_;
-                                phi_1017_ = (_e935 & (_e935 - 1u));
-                                phi_1627_ = _e1421;
-                                phi_1628_ = _e1427;
-                                phi_1629_ = _e1429;
+                                phi_1019_ = (_e937 & (_e937 - 1u));
+                                phi_1022_ = _e1415;
+                                phi_1619_ = _e1417;
                             }
-                            let _e1431 = phi_1017_;
-                            let _e1433 = phi_1627_;
-                            let _e1435 = phi_1628_;
-                            let _e1437 = phi_1629_;
-                            local_6 = _e1435;
-                            local_7 = _e1437;
+                            let _e1419 = phi_1019_;
+                            let _e1421 = phi_1022_;
+                            let _e1423 = phi_1619_;
                             continue;
                             continuing {
-                                phi_1016_ = _e1431;
-                                break if !(_e1433);
+                                phi_1018_ = _e1419;
+                                phi_1021_ = _e1421;
+                                break if !(_e1423);
                             }
                         }
-                        let _e1440 = local_4;
-                        if _e1440 {
-                            let _e1442 = local.group_mask;
-                            if ((_e1442 & 4278190080u) == 0u) {
-                                let _e1446 = local.len;
-                                if (_e1446 == 0u) {
-                                    phi_1671_ = false;
+                        let _e1426 = local_4;
+                        if _e1426 {
+                            let _e1428 = local.group_mask;
+                            if ((_e1428 & 4278190080u) == 0u) {
+                                let _e1432 = local.len;
+                                if (_e1432 == 0u) {
+                                    phi_1661_ = false;
                                 } else {
-                                    let _e1450 = local.len;
-                                    local.len = (_e1450 - 1u);
-                                    let _e1453 = local.len;
-                                    if (_e1453 < 32u) {
+                                    let _e1436 = local.len;
+                                    local.len = (_e1436 - 1u);
+                                    let _e1439 = local.len;
+                                    if (_e1439 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1458 = local.first[(0u + _e1453)];
-                                    local.group = _e1458;
-                                    let _e1461 = local.len;
-                                    if (_e1461 < 32u) {
+                                    let _e1444 = local.first[(0u + _e1439)];
+                                    local.group = _e1444;
+                                    let _e1447 = local.len;
+                                    if (_e1447 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1466 = local.mask[(0u + _e1461)];
-                                    local.group_mask = _e1466;
-                                    phi_1671_ = true;
+                                    let _e1452 = local.mask[(0u + _e1447)];
+                                    local.group_mask = _e1452;
+                                    phi_1661_ = true;
                                 }
-                                let _e1469 = phi_1671_;
-                                phi_1672_ = _e1469;
+                                let _e1455 = phi_1661_;
+                                phi_1662_ = _e1455;
                             } else {
-                                phi_1672_ = true;
+                                phi_1662_ = true;
                             }
-                            let _e1471 = phi_1672_;
-                            if _e1471 {
-                                let _e1473 = local.group_mask;
-                                let _e1479 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1473)), 32u, (_e1473 == 0u)));
+                            let _e1457 = phi_1662_;
+                            if _e1457 {
+                                let _e1459 = local.group_mask;
+                                let _e1465 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1459)), 32u, (_e1459 == 0u)));
+                                let _e1469 = local.group_mask;
                                 let _e1483 = local.group_mask;
-                                let _e1497 = local.group_mask;
-                                local.group_mask = (_e1497 & ~((1u << bitcast<u32>((_e1479 & 31u)))));
-                                let _e1500 = local.group;
-                                phi_1703_ = (_e1500 + countOneBits(((_e1483 & ~((4294967295u << bitcast<u32>((((_e1479 - 24u) ^ _e361) & 31u))))) & 255u)));
+                                local.group_mask = (_e1483 & ~((1u << bitcast<u32>((_e1465 & 31u)))));
+                                let _e1486 = local.group;
+                                phi_1693_ = (_e1486 + countOneBits(((_e1469 & ~((4294967295u << bitcast<u32>((((_e1465 - 24u) ^ _e361) & 31u))))) & 255u)));
                             } else {
-                                phi_1703_ = 4294967295u;
+                                phi_1693_ = 4294967295u;
                             }
-                            let _e1503 = phi_1703_;
-                            phi_1704_ = _e1503;
-                            phi_1705_ = false;
-                            phi_1706_ = false;
+                            let _e1489 = phi_1693_;
+                            phi_1694_ = _e1489;
                         } else {
-                            phi_1704_ = u32();
-                            let _e1744 = local_6;
-                            phi_1705_ = _e1744;
-                            let _e1747 = local_7;
-                            phi_1706_ = _e1747;
+                            phi_1694_ = u32();
                         }
-                        let _e1505 = phi_1704_;
-                        let _e1507 = phi_1705_;
-                        let _e1509 = phi_1706_;
-                        phi_687_ = _e1505;
-                        let _e1751 = local_8;
-                        phi_1707_ = _e1751;
-                        phi_1708_ = false;
-                        phi_1709_ = _e1507;
-                        phi_1710_ = _e1509;
+                        let _e1491 = phi_1694_;
+                        phi_687_ = _e1491;
+                        let _e1715 = local_6;
+                        phi_690_ = _e1715;
+                        let _e1718 = local_7;
+                        phi_1695_ = _e1718;
+                        phi_1696_ = false;
                     } else {
                         phi_687_ = u32();
-                        phi_1707_ = false;
-                        phi_1708_ = true;
-                        phi_1709_ = false;
-                        phi_1710_ = false;
+                        phi_690_ = bool();
+                        phi_1695_ = false;
+                        phi_1696_ = true;
                     }
-                    let _e1511 = phi_687_;
-                    let _e1513 = phi_1707_;
-                    let _e1515 = phi_1708_;
-                    let _e1517 = phi_1709_;
-                    let _e1519 = phi_1710_;
-                    local_5 = _e1515;
-                    local_9 = _e1517;
-                    local_10 = _e1519;
+                    let _e1493 = phi_687_;
+                    let _e1495 = phi_690_;
+                    let _e1497 = phi_1695_;
+                    let _e1499 = phi_1696_;
+                    local_5 = _e1499;
                     continue;
                     continuing {
-                        phi_686_ = _e1511;
-                        break if !(_e1513);
+                        phi_686_ = _e1493;
+                        phi_689_ = _e1495;
+                        break if !(_e1497);
                     }
                 }
-                let _e1522 = local_5;
-                if _e1522 {
-                    phi_1714_ = false;
-                    phi_1715_ = false;
+                let _e1502 = local_5;
+                if _e1502 {
+                    phi_1700_ = false;
                 } else {
-                    let _e1758 = local_9;
-                    phi_1714_ = _e1758;
-                    let _e1761 = local_10;
-                    phi_1715_ = _e1761;
+                    phi_1700_ = true;
                 }
-                let _e1524 = phi_1714_;
-                let _e1526 = phi_1715_;
-                if _e1524 {
-                    phi_1719_ = true;
+                let _e1504 = phi_1700_;
+                if _e1504 {
+                    phi_1704_ = true;
                 } else {
-                    phi_1719_ = _e1526;
+                    let _e1724 = local_8;
+                    phi_1704_ = _e1724;
                 }
-                let _e1528 = phi_1719_;
-                if _e1528 {
-                    phi_1723_ = true;
-                } else {
-                    phi_1723_ = false;
-                }
-                let _e1530 = phi_1723_;
-                phi_1724_ = _e1530;
+                let _e1506 = phi_1704_;
+                phi_1705_ = _e1506;
             }
-            let _e1532 = phi_1724_;
-            phi_1725_ = _e1532;
-            phi_1726_ = _e187;
+            let _e1508 = phi_1705_;
+            phi_1706_ = _e1508;
+            phi_1707_ = _e187;
         } else {
-            phi_1725_ = bool();
-            phi_1726_ = true;
+            phi_1706_ = bool();
+            phi_1707_ = true;
         }
-        let _e1534 = phi_1725_;
-        let _e1536 = phi_1726_;
-        if _e1536 {
-            phi_1730_ = false;
+        let _e1510 = phi_1706_;
+        let _e1512 = phi_1707_;
+        if _e1512 {
+            phi_1711_ = false;
         } else {
-            phi_1730_ = _e1534;
+            phi_1711_ = _e1510;
         }
-        let _e1538 = phi_1730_;
-        if _e1538 {
-            phi_1734_ = 0f;
+        let _e1514 = phi_1711_;
+        if _e1514 {
+            phi_1715_ = 0f;
         } else {
-            phi_1734_ = 1f;
+            phi_1715_ = 1f;
         }
-        let _e1540 = phi_1734_;
+        let _e1516 = phi_1715_;
         if (_e84 < _e65) {
         } else {
             return;
         }
-        visibility.member[(0u + _e84)] = _e1540;
+        visibility.member[(0u + _e84)] = _e1516;
         if (_e84 < _e71) {
         } else {
             return;
         }
-        let _e1547 = bits.member[(0u + _e84)];
-        if ((_e1547 & 2u) == 0u) {
-            phi_1755_ = (_e1547 & 1u);
+        let _e1523 = bits.member[(0u + _e84)];
+        if ((_e1523 & 2u) == 0u) {
+            phi_1736_ = (_e1523 & 1u);
         } else {
-            phi_1755_ = (_e1547 & 7u);
+            phi_1736_ = (_e1523 & 7u);
         }
-        let _e1553 = phi_1755_;
+        let _e1529 = phi_1736_;
         if (_e84 < _e65) {
         } else {
             return;
         }
-        let _e1557 = visibility.member[(0u + _e84)];
-        if ((_e1553 & 1u) != 0u) {
-            phi_1770_ = (2u | 1u);
+        let _e1533 = visibility.member[(0u + _e84)];
+        if ((_e1529 & 1u) != 0u) {
+            phi_1751_ = (2u | 1u);
         } else {
-            phi_1770_ = 2u;
+            phi_1751_ = 2u;
         }
-        let _e1563 = phi_1770_;
-        if (_e1557 < 0.5f) {
-            phi_1775_ = (_e1563 | 4u);
+        let _e1539 = phi_1751_;
+        if (_e1533 < 0.5f) {
+            phi_1756_ = (_e1539 | 4u);
         } else {
-            phi_1775_ = _e1563;
+            phi_1756_ = _e1539;
         }
-        let _e1566 = phi_1775_;
+        let _e1542 = phi_1756_;
         if (_e84 < _e71) {
         } else {
             return;
         }
-        bits.member[(0u + _e84)] = _e1566;
+        bits.member[(0u + _e84)] = _e1542;
     }
     return;
 }

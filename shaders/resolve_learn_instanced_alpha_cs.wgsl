@@ -39,11 +39,48 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
     row_z: vec4<f32>,
     row_w: vec4<f32>,
+}
+
+struct abi_ShadowParams {
+    projection: lt_math_LightProjection,
+    light: abi_LightParams,
+    test: vec4<f32>,
+    size: vec2<u32>,
+    map_size: u32,
+    epsilon: f32,
+    root: u32,
+    level_count: u32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_33 {
+    member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_38 {
+    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Triangle {
@@ -55,7 +92,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_32 {
+struct type_42 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -67,7 +104,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_36 {
+struct type_46 {
     member: array<abi_Vertex>,
 }
 
@@ -79,11 +116,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_40 {
+struct type_50 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -108,57 +158,8 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_51 {
+struct type_64 {
     member: array<lt_bvh_Instance>,
-}
-
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_60 {
-    member: array<lt_bvh_Node>,
-}
-
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
-struct abi_ShadowParams {
-    projection: lt_math_LightProjection,
-    light: abi_LightParams,
-    test: vec4<f32>,
-    size: vec2<u32>,
-    map_size: u32,
-    epsilon: f32,
-    root: u32,
-    level_count: u32,
-    fade_uv: f32,
-    pad0_: u32,
-}
-
-struct type_66 {
-    member: abi_ShadowParams,
 }
 
 var<private> id_1: vec3<u32>;
@@ -167,415 +168,415 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_66;
+var<uniform> p: type_33;
 @group(0) @binding(2) 
-var<storage> nodes: type_60;
+var<storage> nodes: type_38;
 @group(0) @binding(3) 
-var<storage> triangles: type_32;
+var<storage> triangles: type_42;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 @group(0) @binding(7) 
-var<storage> instances: type_51;
+var<storage> instances: type_64;
 @group(0) @binding(8) 
-var<storage> vertices: type_36;
+var<storage> vertices: type_46;
 @group(0) @binding(9) 
-var<storage> materials: type_40;
+var<storage> materials: type_50;
 @group(0) @binding(10) 
 var<storage> alpha_texels: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_239_: f32;
-    var phi_244_: f32;
-    var phi_245_: bool;
-    var phi_246_: f32;
-    var phi_247_: bool;
-    var phi_251_: f32;
-    var phi_277_: f32;
-    var phi_282_: f32;
-    var phi_283_: bool;
-    var phi_284_: f32;
-    var phi_285_: bool;
-    var phi_289_: f32;
-    var phi_297_: f32;
-    var phi_298_: f32;
-    var phi_299_: f32;
-    var phi_308_: f32;
-    var phi_309_: f32;
-    var phi_327_: u32;
-    var phi_341_: u32;
-    var phi_348_: u32;
-    var phi_353_: u32;
-    var phi_359_: u32;
-    var phi_364_: u32;
-    var phi_366_: texture_Axis;
-    var phi_394_: f32;
-    var phi_399_: f32;
-    var phi_400_: bool;
-    var phi_401_: f32;
-    var phi_402_: bool;
-    var phi_406_: f32;
-    var phi_432_: f32;
-    var phi_437_: f32;
-    var phi_438_: bool;
-    var phi_439_: f32;
-    var phi_440_: bool;
-    var phi_444_: f32;
-    var phi_452_: f32;
-    var phi_453_: f32;
-    var phi_454_: f32;
-    var phi_463_: f32;
-    var phi_464_: f32;
-    var phi_482_: u32;
-    var phi_496_: u32;
-    var phi_503_: u32;
-    var phi_508_: u32;
-    var phi_514_: u32;
-    var phi_519_: u32;
-    var phi_521_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
+    var phi_209_: bool;
+    var phi_213_: f32;
 
-    let _e71 = (*param).size;
+    if (param != param) {
+        phi_209_ = true;
+    } else {
+        let _e70 = (param_1 >= param);
+        if _e70 {
+        }
+        phi_209_ = _e70;
+    }
+    let _e72 = phi_209_;
+    if _e72 {
+        phi_213_ = param_1;
+    } else {
+        phi_213_ = param;
+    }
+    let _e74 = phi_213_;
+    return _e74;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
+    var phi_225_: bool;
+    var phi_229_: f32;
+
+    if (param_2 != param_2) {
+        phi_225_ = true;
+    } else {
+        let _e70 = (param_3 <= param_2);
+        if _e70 {
+        }
+        phi_225_ = _e70;
+    }
+    let _e72 = phi_225_;
+    if _e72 {
+        phi_229_ = param_3;
+    } else {
+        phi_229_ = param_2;
+    }
+    let _e74 = phi_229_;
+    return _e74;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
+    var phi_271_: f32;
+    var phi_276_: f32;
+    var phi_277_: bool;
+    var phi_278_: f32;
+    var phi_279_: bool;
+    var phi_283_: f32;
+    var phi_309_: f32;
+    var phi_314_: f32;
+    var phi_315_: bool;
+    var phi_316_: f32;
+    var phi_317_: bool;
+    var phi_321_: f32;
+    var phi_329_: f32;
+    var phi_330_: f32;
+    var phi_331_: f32;
+    var phi_340_: f32;
+    var phi_341_: f32;
+    var phi_359_: u32;
+    var phi_373_: u32;
+    var phi_380_: u32;
+    var phi_385_: u32;
+    var phi_391_: u32;
+    var phi_396_: u32;
+    var phi_398_: texture_Axis;
+    var phi_426_: f32;
+    var phi_431_: f32;
+    var phi_432_: bool;
+    var phi_433_: f32;
+    var phi_434_: bool;
+    var phi_438_: f32;
+    var phi_464_: f32;
+    var phi_469_: f32;
+    var phi_470_: bool;
+    var phi_471_: f32;
+    var phi_472_: bool;
+    var phi_476_: f32;
+    var phi_484_: f32;
+    var phi_485_: f32;
+    var phi_486_: f32;
+    var phi_495_: f32;
+    var phi_496_: f32;
+    var phi_514_: u32;
+    var phi_528_: u32;
+    var phi_535_: u32;
+    var phi_540_: u32;
+    var phi_546_: u32;
+    var phi_551_: u32;
+    var phi_553_: texture_Axis;
+
+    let _e71 = (*param_4).size;
     let _e72 = (_e71 & 65535u);
-    let _e74 = (*param).size;
+    let _e74 = (*param_4).size;
     let _e76 = (_e74 >> bitcast<u32>(16i));
-    let _e78 = (*param).flags;
+    let _e78 = (*param_4).flags;
     let _e80 = ((_e78 & 4u) != 0u);
-    let _e82 = (*param).flags;
+    let _e82 = (*param_4).flags;
     let _e85 = ((_e82 >> bitcast<u32>(4u)) & 3u);
     if (_e85 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e98 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e98 > param_1) {
-                phi_239_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e98 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e98 > param_5) {
+                phi_271_ = 1f;
             } else {
-                phi_239_ = 0f;
+                phi_271_ = 0f;
             }
-            let _e101 = phi_239_;
-            if (param_1 < 8388608f) {
-                phi_244_ = (_e98 - _e101);
-                phi_245_ = false;
+            let _e101 = phi_271_;
+            if (param_5 < 8388608f) {
+                phi_276_ = (_e98 - _e101);
+                phi_277_ = false;
             } else {
-                phi_244_ = f32();
-                phi_245_ = true;
+                phi_276_ = f32();
+                phi_277_ = true;
             }
-            let _e104 = phi_244_;
-            let _e106 = phi_245_;
-            phi_246_ = _e104;
-            phi_247_ = _e106;
+            let _e104 = phi_276_;
+            let _e106 = phi_277_;
+            phi_278_ = _e104;
+            phi_279_ = _e106;
         } else {
-            phi_246_ = f32();
-            phi_247_ = true;
+            phi_278_ = f32();
+            phi_279_ = true;
         }
-        let _e108 = phi_246_;
-        let _e110 = phi_247_;
+        let _e108 = phi_278_;
+        let _e110 = phi_279_;
         if _e110 {
-            phi_251_ = param_1;
+            phi_283_ = param_5;
         } else {
-            phi_251_ = _e108;
+            phi_283_ = _e108;
         }
-        let _e112 = phi_251_;
-        phi_299_ = (param_1 - _e112);
+        let _e112 = phi_283_;
+        phi_331_ = (param_5 - _e112);
     } else {
         if (_e85 == 1u) {
-            let _e115 = (param_1 * 0.5f);
+            let _e115 = (param_5 * 0.5f);
             if (_e115 > -8388608f) {
                 let _e127 = f32(select(0i, select(select(i32(_e115), i32(-2147483648), (_e115 < bitcast<f32>(3472883712u))), 2147483647i, (_e115 > bitcast<f32>(1325400063u))), (_e115 == _e115)));
                 if (_e127 > _e115) {
-                    phi_277_ = 1f;
+                    phi_309_ = 1f;
                 } else {
-                    phi_277_ = 0f;
+                    phi_309_ = 0f;
                 }
-                let _e130 = phi_277_;
+                let _e130 = phi_309_;
                 if (_e115 < 8388608f) {
-                    phi_282_ = (_e127 - _e130);
-                    phi_283_ = false;
+                    phi_314_ = (_e127 - _e130);
+                    phi_315_ = false;
                 } else {
-                    phi_282_ = f32();
-                    phi_283_ = true;
+                    phi_314_ = f32();
+                    phi_315_ = true;
                 }
-                let _e133 = phi_282_;
-                let _e135 = phi_283_;
-                phi_284_ = _e133;
-                phi_285_ = _e135;
+                let _e133 = phi_314_;
+                let _e135 = phi_315_;
+                phi_316_ = _e133;
+                phi_317_ = _e135;
             } else {
-                phi_284_ = f32();
-                phi_285_ = true;
+                phi_316_ = f32();
+                phi_317_ = true;
             }
-            let _e137 = phi_284_;
-            let _e139 = phi_285_;
+            let _e137 = phi_316_;
+            let _e139 = phi_317_;
             if _e139 {
-                phi_289_ = _e115;
+                phi_321_ = _e115;
             } else {
-                phi_289_ = _e137;
+                phi_321_ = _e137;
             }
-            let _e141 = phi_289_;
-            let _e143 = (param_1 - (2f * _e141));
+            let _e141 = phi_321_;
+            let _e143 = (param_5 - (2f * _e141));
             if (_e143 > 1f) {
-                phi_297_ = (2f - _e143);
+                phi_329_ = (2f - _e143);
             } else {
-                phi_297_ = _e143;
+                phi_329_ = _e143;
             }
-            let _e147 = phi_297_;
-            phi_298_ = _e147;
+            let _e147 = phi_329_;
+            phi_330_ = _e147;
         } else {
-            phi_298_ = param_1;
+            phi_330_ = param_5;
         }
-        let _e149 = phi_298_;
-        phi_299_ = _e149;
+        let _e149 = phi_330_;
+        phi_331_ = _e149;
     }
-    let _e151 = phi_299_;
+    let _e151 = phi_331_;
     if (_e151 > 0f) {
         if (_e151 < 1f) {
-            phi_308_ = _e151;
+            phi_340_ = _e151;
         } else {
-            phi_308_ = 1f;
+            phi_340_ = 1f;
         }
-        let _e155 = phi_308_;
-        phi_309_ = _e155;
+        let _e155 = phi_340_;
+        phi_341_ = _e155;
     } else {
-        phi_309_ = 0f;
+        phi_341_ = 0f;
     }
-    let _e157 = phi_309_;
+    let _e157 = phi_341_;
     let _e158 = (_e72 - 1u);
     let _e160 = (_e157 * f32(_e72));
     if _e80 {
         let _e167 = select(select(u32(_e160), 0u, (_e160 < bitcast<f32>(0u))), 4294967295u, (_e160 > bitcast<f32>(1333788671u)));
         if (_e158 < _e167) {
-            phi_327_ = _e158;
+            phi_359_ = _e158;
         } else {
-            phi_327_ = _e167;
+            phi_359_ = _e167;
         }
-        let _e170 = phi_327_;
-        phi_366_ = texture_Axis(_e170, _e170, 0f);
+        let _e170 = phi_359_;
+        phi_398_ = texture_Axis(_e170, _e170, 0f);
     } else {
         let _e172 = (_e160 + 0.5f);
         let _e179 = select(select(u32(_e172), 0u, (_e172 < bitcast<f32>(0u))), 4294967295u, (_e172 > bitcast<f32>(1333788671u)));
         if (_e72 < _e179) {
-            phi_341_ = _e72;
+            phi_373_ = _e72;
         } else {
-            phi_341_ = _e179;
+            phi_373_ = _e179;
         }
-        let _e182 = phi_341_;
+        let _e182 = phi_373_;
         if (_e85 == 0u) {
-            phi_348_ = _e158;
+            phi_380_ = _e158;
         } else {
-            phi_348_ = 0u;
+            phi_380_ = 0u;
         }
-        let _e187 = phi_348_;
+        let _e187 = phi_380_;
         if (_e85 == 0u) {
-            phi_353_ = 0u;
+            phi_385_ = 0u;
         } else {
-            phi_353_ = _e158;
+            phi_385_ = _e158;
         }
-        let _e190 = phi_353_;
+        let _e190 = phi_385_;
         if (_e182 == 0u) {
-            phi_359_ = _e187;
+            phi_391_ = _e187;
         } else {
-            phi_359_ = (_e182 - 1u);
+            phi_391_ = (_e182 - 1u);
         }
-        let _e194 = phi_359_;
+        let _e194 = phi_391_;
         if (_e182 > _e158) {
-            phi_364_ = _e190;
+            phi_396_ = _e190;
         } else {
-            phi_364_ = _e182;
+            phi_396_ = _e182;
         }
-        let _e197 = phi_364_;
-        phi_366_ = texture_Axis(_e194, _e197, (_e172 - f32(_e182)));
+        let _e197 = phi_396_;
+        phi_398_ = texture_Axis(_e194, _e197, (_e172 - f32(_e182)));
     }
-    let _e200 = phi_366_;
-    let _e202 = (*param).flags;
+    let _e200 = phi_398_;
+    let _e202 = (*param_4).flags;
     let _e205 = ((_e202 >> bitcast<u32>(6u)) & 3u);
     if (_e205 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e218 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e218 > param_2) {
-                phi_394_ = 1f;
+        if (param_6 > -8388608f) {
+            let _e218 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
+            if (_e218 > param_6) {
+                phi_426_ = 1f;
             } else {
-                phi_394_ = 0f;
+                phi_426_ = 0f;
             }
-            let _e221 = phi_394_;
-            if (param_2 < 8388608f) {
-                phi_399_ = (_e218 - _e221);
-                phi_400_ = false;
+            let _e221 = phi_426_;
+            if (param_6 < 8388608f) {
+                phi_431_ = (_e218 - _e221);
+                phi_432_ = false;
             } else {
-                phi_399_ = f32();
-                phi_400_ = true;
+                phi_431_ = f32();
+                phi_432_ = true;
             }
-            let _e224 = phi_399_;
-            let _e226 = phi_400_;
-            phi_401_ = _e224;
-            phi_402_ = _e226;
+            let _e224 = phi_431_;
+            let _e226 = phi_432_;
+            phi_433_ = _e224;
+            phi_434_ = _e226;
         } else {
-            phi_401_ = f32();
-            phi_402_ = true;
+            phi_433_ = f32();
+            phi_434_ = true;
         }
-        let _e228 = phi_401_;
-        let _e230 = phi_402_;
+        let _e228 = phi_433_;
+        let _e230 = phi_434_;
         if _e230 {
-            phi_406_ = param_2;
+            phi_438_ = param_6;
         } else {
-            phi_406_ = _e228;
+            phi_438_ = _e228;
         }
-        let _e232 = phi_406_;
-        phi_454_ = (param_2 - _e232);
+        let _e232 = phi_438_;
+        phi_486_ = (param_6 - _e232);
     } else {
         if (_e205 == 1u) {
-            let _e235 = (param_2 * 0.5f);
+            let _e235 = (param_6 * 0.5f);
             if (_e235 > -8388608f) {
                 let _e247 = f32(select(0i, select(select(i32(_e235), i32(-2147483648), (_e235 < bitcast<f32>(3472883712u))), 2147483647i, (_e235 > bitcast<f32>(1325400063u))), (_e235 == _e235)));
                 if (_e247 > _e235) {
-                    phi_432_ = 1f;
+                    phi_464_ = 1f;
                 } else {
-                    phi_432_ = 0f;
+                    phi_464_ = 0f;
                 }
-                let _e250 = phi_432_;
+                let _e250 = phi_464_;
                 if (_e235 < 8388608f) {
-                    phi_437_ = (_e247 - _e250);
-                    phi_438_ = false;
+                    phi_469_ = (_e247 - _e250);
+                    phi_470_ = false;
                 } else {
-                    phi_437_ = f32();
-                    phi_438_ = true;
+                    phi_469_ = f32();
+                    phi_470_ = true;
                 }
-                let _e253 = phi_437_;
-                let _e255 = phi_438_;
-                phi_439_ = _e253;
-                phi_440_ = _e255;
+                let _e253 = phi_469_;
+                let _e255 = phi_470_;
+                phi_471_ = _e253;
+                phi_472_ = _e255;
             } else {
-                phi_439_ = f32();
-                phi_440_ = true;
+                phi_471_ = f32();
+                phi_472_ = true;
             }
-            let _e257 = phi_439_;
-            let _e259 = phi_440_;
+            let _e257 = phi_471_;
+            let _e259 = phi_472_;
             if _e259 {
-                phi_444_ = _e235;
+                phi_476_ = _e235;
             } else {
-                phi_444_ = _e257;
+                phi_476_ = _e257;
             }
-            let _e261 = phi_444_;
-            let _e263 = (param_2 - (2f * _e261));
+            let _e261 = phi_476_;
+            let _e263 = (param_6 - (2f * _e261));
             if (_e263 > 1f) {
-                phi_452_ = (2f - _e263);
+                phi_484_ = (2f - _e263);
             } else {
-                phi_452_ = _e263;
+                phi_484_ = _e263;
             }
-            let _e267 = phi_452_;
-            phi_453_ = _e267;
+            let _e267 = phi_484_;
+            phi_485_ = _e267;
         } else {
-            phi_453_ = param_2;
+            phi_485_ = param_6;
         }
-        let _e269 = phi_453_;
-        phi_454_ = _e269;
+        let _e269 = phi_485_;
+        phi_486_ = _e269;
     }
-    let _e271 = phi_454_;
+    let _e271 = phi_486_;
     if (_e271 > 0f) {
         if (_e271 < 1f) {
-            phi_463_ = _e271;
+            phi_495_ = _e271;
         } else {
-            phi_463_ = 1f;
+            phi_495_ = 1f;
         }
-        let _e275 = phi_463_;
-        phi_464_ = _e275;
+        let _e275 = phi_495_;
+        phi_496_ = _e275;
     } else {
-        phi_464_ = 0f;
+        phi_496_ = 0f;
     }
-    let _e277 = phi_464_;
+    let _e277 = phi_496_;
     let _e278 = (_e76 - 1u);
     let _e280 = (_e277 * f32(_e76));
     if _e80 {
         let _e287 = select(select(u32(_e280), 0u, (_e280 < bitcast<f32>(0u))), 4294967295u, (_e280 > bitcast<f32>(1333788671u)));
         if (_e278 < _e287) {
-            phi_482_ = _e278;
+            phi_514_ = _e278;
         } else {
-            phi_482_ = _e287;
+            phi_514_ = _e287;
         }
-        let _e290 = phi_482_;
-        phi_521_ = texture_Axis(_e290, _e290, 0f);
+        let _e290 = phi_514_;
+        phi_553_ = texture_Axis(_e290, _e290, 0f);
     } else {
         let _e292 = (_e280 + 0.5f);
         let _e299 = select(select(u32(_e292), 0u, (_e292 < bitcast<f32>(0u))), 4294967295u, (_e292 > bitcast<f32>(1333788671u)));
         if (_e76 < _e299) {
-            phi_496_ = _e76;
+            phi_528_ = _e76;
         } else {
-            phi_496_ = _e299;
+            phi_528_ = _e299;
         }
-        let _e302 = phi_496_;
+        let _e302 = phi_528_;
         if (_e205 == 0u) {
-            phi_503_ = _e278;
+            phi_535_ = _e278;
         } else {
-            phi_503_ = 0u;
+            phi_535_ = 0u;
         }
-        let _e307 = phi_503_;
+        let _e307 = phi_535_;
         if (_e205 == 0u) {
-            phi_508_ = 0u;
+            phi_540_ = 0u;
         } else {
-            phi_508_ = _e278;
+            phi_540_ = _e278;
         }
-        let _e310 = phi_508_;
+        let _e310 = phi_540_;
         if (_e302 == 0u) {
-            phi_514_ = _e307;
+            phi_546_ = _e307;
         } else {
-            phi_514_ = (_e302 - 1u);
+            phi_546_ = (_e302 - 1u);
         }
-        let _e314 = phi_514_;
+        let _e314 = phi_546_;
         if (_e302 > _e278) {
-            phi_519_ = _e310;
+            phi_551_ = _e310;
         } else {
-            phi_519_ = _e302;
+            phi_551_ = _e302;
         }
-        let _e317 = phi_519_;
-        phi_521_ = texture_Axis(_e314, _e317, (_e292 - f32(_e302)));
+        let _e317 = phi_551_;
+        phi_553_ = texture_Axis(_e314, _e317, (_e292 - f32(_e302)));
     }
-    let _e320 = phi_521_;
-    let _e324 = (*param).offset;
-    let _e331 = (*param).offset;
-    let _e338 = (*param).offset;
-    let _e345 = (*param).offset;
+    let _e320 = phi_553_;
+    let _e324 = (*param_4).offset;
+    let _e331 = (*param_4).offset;
+    let _e338 = (*param_4).offset;
+    let _e345 = (*param_4).offset;
     return texture_TexelQuad(array<u32, 4>(((_e324 + (_e320.low * _e72)) + _e200.low), ((_e331 + (_e320.low * _e72)) + _e200.high), ((_e338 + (_e320.high * _e72)) + _e200.low), ((_e345 + (_e320.high * _e72)) + _e200.high)), vec4<f32>(((1f - _e200.fraction) * (1f - _e320.fraction)), (_e200.fraction * (1f - _e320.fraction)), ((1f - _e200.fraction) * _e320.fraction), (_e200.fraction * _e320.fraction)));
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_580_: bool;
-    var phi_584_: f32;
-
-    if (param_3 != param_3) {
-        phi_580_ = true;
-    } else {
-        let _e70 = (param_4 >= param_3);
-        if _e70 {
-        }
-        phi_580_ = _e70;
-    }
-    let _e72 = phi_580_;
-    if _e72 {
-        phi_584_ = param_4;
-    } else {
-        phi_584_ = param_3;
-    }
-    let _e74 = phi_584_;
-    return _e74;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_596_: bool;
-    var phi_600_: f32;
-
-    if (param_5 != param_5) {
-        phi_596_ = true;
-    } else {
-        let _e70 = (param_6 <= param_5);
-        if _e70 {
-        }
-        phi_596_ = _e70;
-    }
-    let _e72 = phi_596_;
-    if _e72 {
-        phi_600_ = param_6;
-    } else {
-        phi_600_ = param_5;
-    }
-    let _e74 = phi_600_;
-    return _e74;
 }
 
 fn function_() {
@@ -622,41 +623,39 @@ fn function_() {
     var phi_1066_: bool;
     var phi_1097_: u32;
     var phi_1099_: u32;
-    var phi_1180_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1207_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1234_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1240_: u32;
-    var phi_1243_: u32;
-    var phi_1257_: u32;
-    var phi_1267_: u32;
-    var phi_1277_: u32;
-    var phi_1295_: u32;
-    var phi_1305_: u32;
-    var phi_1315_: u32;
-    var phi_1351_: u32;
-    var phi_1364_: u32;
-    var phi_1369_: u32;
-    var phi_1370_: u32;
+    var phi_1102_: bool;
+    var phi_1182_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1209_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1236_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1242_: u32;
+    var phi_1245_: u32;
+    var phi_1259_: u32;
+    var phi_1269_: u32;
+    var phi_1279_: u32;
+    var phi_1297_: u32;
+    var phi_1307_: u32;
+    var phi_1317_: u32;
+    var phi_1353_: u32;
+    var phi_1366_: u32;
     var phi_1371_: u32;
-    var phi_1241_: u32;
-    var phi_1244_: u32;
+    var phi_1372_: u32;
+    var phi_1373_: u32;
+    var phi_1243_: u32;
+    var phi_1246_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1429_: u32;
-    var phi_1479_: f32;
-    var phi_1484_: f32;
-    var phi_1489_: f32;
-    var phi_1497_: f32;
-    var phi_1502_: f32;
-    var phi_1507_: f32;
-    var phi_1651_: bool;
-    var phi_1652_: bool;
-    var phi_1653_: bool;
+    var phi_1431_: u32;
+    var phi_1434_: bool;
+    var phi_1483_: f32;
+    var phi_1488_: f32;
+    var phi_1493_: f32;
+    var phi_1501_: f32;
+    var phi_1506_: f32;
+    var phi_1511_: f32;
+    var phi_1655_: bool;
+    var phi_1656_: bool;
     var phi_1657_: bool;
-    var phi_1658_: bool;
-    var phi_1659_: bool;
-    var phi_1660_: bool;
     var phi_1661_: bool;
     var phi_1662_: bool;
     var phi_1663_: bool;
@@ -671,206 +670,212 @@ fn function_() {
     var phi_1672_: bool;
     var phi_1673_: bool;
     var phi_1674_: bool;
+    var phi_1675_: bool;
+    var phi_1676_: bool;
+    var phi_1677_: bool;
     var phi_1678_: bool;
     var phi_1682_: bool;
-    var phi_1752_: f32;
-    var phi_1759_: f32;
-    var phi_1766_: f32;
-    var phi_1773_: f32;
-    var phi_1780_: f32;
-    var phi_1787_: f32;
-    var phi_1804_: f32;
-    var phi_1809_: f32;
-    var phi_1814_: f32;
-    var phi_1842_: bool;
-    var phi_1843_: bool;
-    var phi_1851_: u32;
-    var phi_1852_: u32;
-    var phi_1863_: vec3<f32>;
-    var phi_1864_: vec3<f32>;
-    var phi_1877_: u32;
-    var phi_1882_: u32;
-    var phi_1887_: u32;
-    var phi_2001_: bool;
-    var phi_2002_: bool;
-    var phi_2033_: u32;
-    var phi_2035_: u32;
-    var phi_2116_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2143_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2170_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2176_: u32;
-    var phi_2179_: u32;
-    var phi_2193_: u32;
-    var phi_2203_: u32;
-    var phi_2213_: u32;
-    var phi_2231_: u32;
-    var phi_2241_: u32;
-    var phi_2251_: u32;
-    var phi_2287_: u32;
-    var phi_2300_: u32;
-    var phi_2305_: u32;
+    var phi_1686_: bool;
+    var phi_1756_: f32;
+    var phi_1763_: f32;
+    var phi_1770_: f32;
+    var phi_1777_: f32;
+    var phi_1784_: f32;
+    var phi_1791_: f32;
+    var phi_1808_: f32;
+    var phi_1813_: f32;
+    var phi_1818_: f32;
+    var phi_1846_: bool;
+    var phi_1847_: bool;
+    var phi_1855_: u32;
+    var phi_1856_: u32;
+    var phi_1867_: vec3<f32>;
+    var phi_1868_: vec3<f32>;
+    var phi_1881_: u32;
+    var phi_1886_: u32;
+    var phi_1891_: u32;
+    var phi_2005_: bool;
+    var phi_2006_: bool;
+    var phi_2037_: u32;
+    var phi_2039_: u32;
+    var phi_2042_: bool;
+    var phi_2122_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2149_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2176_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2182_: u32;
+    var phi_2185_: u32;
+    var phi_2199_: u32;
+    var phi_2209_: u32;
+    var phi_2219_: u32;
+    var phi_2237_: u32;
+    var phi_2247_: u32;
+    var phi_2257_: u32;
+    var phi_2293_: u32;
     var phi_2306_: u32;
-    var phi_2307_: u32;
-    var phi_2177_: u32;
-    var phi_2180_: u32;
+    var phi_2311_: u32;
+    var phi_2312_: u32;
+    var phi_2313_: u32;
+    var phi_2183_: u32;
+    var phi_2186_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2365_: u32;
-    var phi_2410_: vec3<f32>;
-    var phi_2411_: vec3<f32>;
-    var phi_2440_: vec3<f32>;
-    var phi_2441_: vec3<f32>;
-    var phi_2470_: vec3<f32>;
-    var phi_2471_: vec3<f32>;
-    var phi_2489_: bool;
-    var phi_2490_: bool;
-    var phi_2494_: f32;
-    var phi_2495_: f32;
-    var phi_2496_: f32;
-    var phi_2497_: f32;
+    var phi_2371_: u32;
+    var phi_2374_: bool;
+    var phi_2418_: vec3<f32>;
+    var phi_2419_: vec3<f32>;
+    var phi_2448_: vec3<f32>;
+    var phi_2449_: vec3<f32>;
+    var phi_2478_: vec3<f32>;
+    var phi_2479_: vec3<f32>;
+    var phi_2497_: bool;
+    var phi_2498_: bool;
+    var phi_2502_: f32;
+    var phi_2503_: f32;
+    var phi_2504_: f32;
     var phi_2505_: f32;
-    var phi_2515_: bool;
-    var phi_2516_: bool;
-    var phi_2520_: f32;
-    var phi_2521_: f32;
-    var phi_2522_: f32;
-    var phi_2523_: f32;
+    var phi_2513_: f32;
+    var phi_2523_: bool;
+    var phi_2524_: bool;
+    var phi_2528_: f32;
+    var phi_2529_: f32;
+    var phi_2530_: f32;
     var phi_2531_: f32;
-    var phi_2541_: bool;
-    var phi_2542_: bool;
-    var phi_2546_: f32;
-    var phi_2547_: f32;
-    var phi_2548_: f32;
-    var phi_2549_: f32;
+    var phi_2539_: f32;
+    var phi_2549_: bool;
+    var phi_2550_: bool;
+    var phi_2554_: f32;
+    var phi_2555_: f32;
+    var phi_2556_: f32;
     var phi_2557_: f32;
-    var phi_2572_: f32;
-    var phi_2573_: bool;
-    var phi_2574_: f32;
-    var phi_2575_: bool;
-    var phi_2576_: f32;
-    var phi_2577_: bool;
-    var phi_2595_: f32;
-    var phi_2596_: bool;
-    var phi_2597_: bool;
-    var phi_2598_: f32;
-    var phi_2599_: bool;
-    var phi_2600_: bool;
+    var phi_2565_: f32;
+    var phi_2580_: f32;
+    var phi_2581_: bool;
+    var phi_2582_: f32;
+    var phi_2583_: bool;
+    var phi_2584_: f32;
+    var phi_2585_: bool;
+    var phi_2603_: f32;
     var phi_2604_: bool;
-    var phi_2605_: f32;
-    var phi_2606_: bool;
-    var phi_2634_: vec3<f32>;
-    var phi_2635_: vec3<f32>;
-    var phi_2660_: vec3<f32>;
-    var phi_2661_: vec3<f32>;
-    var phi_2686_: vec3<f32>;
-    var phi_2687_: vec3<f32>;
-    var phi_2743_: f32;
-    var phi_2752_: f32;
-    var phi_2761_: f32;
-    var phi_2770_: f32;
-    var phi_2777_: f32;
-    var phi_2784_: f32;
-    var phi_2797_: f32;
-    var phi_2806_: f32;
-    var phi_2815_: f32;
-    var phi_2824_: f32;
-    var phi_2831_: f32;
-    var phi_2838_: f32;
-    var phi_2855_: f32;
-    var phi_2860_: f32;
-    var phi_2865_: f32;
+    var phi_2605_: bool;
+    var phi_2606_: f32;
+    var phi_2607_: bool;
+    var phi_2608_: bool;
+    var phi_2612_: bool;
+    var phi_2613_: f32;
+    var phi_2614_: bool;
+    var phi_2642_: vec3<f32>;
+    var phi_2643_: vec3<f32>;
+    var phi_2668_: vec3<f32>;
+    var phi_2669_: vec3<f32>;
+    var phi_2694_: vec3<f32>;
+    var phi_2695_: vec3<f32>;
+    var phi_2751_: f32;
+    var phi_2760_: f32;
+    var phi_2769_: f32;
+    var phi_2778_: f32;
+    var phi_2785_: f32;
+    var phi_2792_: f32;
+    var phi_2805_: f32;
+    var phi_2814_: f32;
+    var phi_2823_: f32;
+    var phi_2832_: f32;
+    var phi_2839_: f32;
+    var phi_2846_: f32;
+    var phi_2863_: f32;
+    var phi_2868_: f32;
     var phi_2873_: f32;
-    var phi_2878_: f32;
-    var phi_2883_: f32;
-    var phi_2895_: f32;
-    var phi_2900_: f32;
-    var phi_2905_: f32;
-    var phi_2910_: f32;
-    var phi_2915_: lt_bvh_triangle_Intersection;
-    var phi_2916_: bool;
-    var phi_2917_: lt_bvh_triangle_Intersection;
-    var phi_2918_: bool;
-    var phi_2922_: lt_bvh_triangle_Intersection;
-    var phi_2923_: bool;
-    var phi_2924_: lt_bvh_triangle_Intersection;
-    var phi_2925_: bool;
+    var phi_2881_: f32;
+    var phi_2886_: f32;
+    var phi_2891_: f32;
+    var phi_2903_: f32;
+    var phi_2908_: f32;
+    var phi_2913_: f32;
+    var phi_2918_: f32;
+    var phi_2923_: lt_bvh_triangle_Intersection;
+    var phi_2924_: bool;
+    var phi_2925_: lt_bvh_triangle_Intersection;
     var phi_2926_: bool;
-    var phi_2930_: bool;
-    var phi_2934_: lt_bvh_triangle_Intersection;
-    var phi_3148_: f32;
-    var phi_3151_: bool;
-    var phi_3152_: bool;
-    var phi_3156_: bool;
-    var phi_3157_: bool;
-    var phi_3158_: bool;
+    var phi_2930_: lt_bvh_triangle_Intersection;
+    var phi_2931_: bool;
+    var phi_2932_: lt_bvh_triangle_Intersection;
+    var phi_2933_: bool;
+    var phi_2934_: bool;
+    var phi_2938_: bool;
+    var phi_2942_: lt_bvh_triangle_Intersection;
+    var phi_3156_: f32;
     var phi_3159_: bool;
     var phi_3160_: bool;
     var phi_3161_: bool;
-    var phi_3162_: bool;
-    var phi_3163_: bool;
-    var phi_3164_: bool;
     var phi_3165_: bool;
     var phi_3166_: bool;
     var phi_3167_: bool;
+    var phi_3168_: bool;
+    var phi_3169_: bool;
+    var phi_3170_: bool;
     var phi_3171_: bool;
     var phi_3172_: bool;
-    var phi_2366_: u32;
     var phi_3173_: bool;
     var phi_3174_: bool;
-    var phi_3175_: bool;
+    var phi_2372_: u32;
+    var phi_2375_: bool;
+    var phi_3178_: bool;
+    var phi_3179_: bool;
     var local_9: bool;
-    var phi_3217_: bool;
-    var phi_3218_: bool;
-    var phi_3249_: u32;
-    var phi_3250_: u32;
-    var phi_3251_: bool;
-    var phi_3252_: bool;
-    var phi_2036_: u32;
-    var phi_3253_: bool;
-    var phi_3254_: bool;
+    var phi_3221_: bool;
+    var phi_3222_: bool;
+    var phi_3253_: u32;
+    var phi_3254_: u32;
+    var phi_2040_: u32;
+    var phi_2043_: bool;
     var phi_3255_: bool;
     var phi_3256_: bool;
+    var phi_3257_: bool;
     var local_10: bool;
-    var phi_3260_: bool;
     var phi_3261_: bool;
     var phi_3265_: bool;
-    var phi_3269_: bool;
-    var phi_3270_: bool;
-    var phi_3271_: bool;
+    var phi_3266_: bool;
+    var phi_3267_: bool;
+    var phi_3268_: bool;
     var phi_3272_: bool;
     var phi_3276_: bool;
+    var phi_3277_: bool;
+    var phi_3278_: bool;
+    var phi_3279_: bool;
     var phi_3280_: bool;
     var phi_3281_: bool;
     var phi_3282_: bool;
-    var phi_3283_: bool;
-    var phi_1430_: u32;
-    var phi_3287_: bool;
+    var phi_1432_: u32;
+    var phi_1435_: bool;
+    var phi_3286_: bool;
     var local_11: bool;
+    var phi_3328_: bool;
     var phi_3329_: bool;
-    var phi_3330_: bool;
+    var phi_3360_: u32;
     var phi_3361_: u32;
-    var phi_3362_: u32;
     var phi_1100_: u32;
+    var phi_1103_: bool;
+    var phi_3362_: bool;
     var phi_3363_: bool;
-    var phi_3364_: bool;
     var local_12: bool;
-    var phi_3368_: bool;
+    var phi_3367_: bool;
+    var phi_3371_: bool;
     var phi_3372_: bool;
     var phi_3373_: bool;
-    var phi_3374_: bool;
-    var phi_3375_: bool;
-    var phi_3379_: bool;
-    var phi_3383_: f32;
-    var phi_3404_: u32;
-    var phi_3419_: u32;
-    var phi_3424_: u32;
+    var phi_3377_: bool;
+    var phi_3378_: bool;
+    var phi_3382_: bool;
+    var phi_3386_: f32;
+    var phi_3407_: u32;
+    var phi_3422_: u32;
+    var phi_3427_: u32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
     var local_17: bool;
     var local_18: bool;
+    var local_19: bool;
 
     let _e70 = id_1;
     let _e77 = arrayLength((&nodes.member));
@@ -1024,7 +1029,7 @@ fn function_() {
         if _e217 {
             let _e218 = (_e116 >= _e77);
             if _e218 {
-                phi_3373_ = bool();
+                phi_3371_ = false;
             } else {
                 if (_e116 < _e77) {
                 } else {
@@ -1174,1723 +1179,1731 @@ fn function_() {
                 }
                 let _e498 = phi_1097_;
                 phi_1099_ = _e498;
+                phi_1102_ = false;
                 loop {
                     let _e500 = phi_1099_;
+                    let _e502 = phi_1102_;
                     if (_e500 != 4294967295u) {
                         if (_e500 < _e77) {
                         } else {
                             return;
                         }
-                        let _e507 = nodes.member[(0u + _e500)].frame[3u];
-                        let _e532 = (bitcast<f32>((((_e507 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e294);
-                        let _e533 = (bitcast<f32>((((_e507 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
-                        let _e534 = (bitcast<f32>((((_e507 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
-                        let _e537 = nodes.member[(0u + _e500)].frame[0u];
-                        let _e541 = nodes.member[(0u + _e500)].frame[1u];
-                        let _e545 = nodes.member[(0u + _e500)].frame[2u];
-                        let _e550 = ((bitcast<f32>(_e537) - _e136) * _e294);
-                        let _e551 = ((bitcast<f32>(_e541) - _e138) * _e304);
-                        let _e552 = ((bitcast<f32>(_e545) - _e140) * _e314);
-                        let _e560 = nodes.member[(0u + _e500)].x;
+                        let _e509 = nodes.member[(0u + _e500)].frame[3u];
+                        let _e534 = (bitcast<f32>((((_e509 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e294);
+                        let _e535 = (bitcast<f32>((((_e509 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
+                        let _e536 = (bitcast<f32>((((_e509 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
+                        let _e539 = nodes.member[(0u + _e500)].frame[0u];
+                        let _e543 = nodes.member[(0u + _e500)].frame[1u];
+                        let _e547 = nodes.member[(0u + _e500)].frame[2u];
+                        let _e552 = ((bitcast<f32>(_e539) - _e136) * _e294);
+                        let _e553 = ((bitcast<f32>(_e543) - _e138) * _e304);
+                        let _e554 = ((bitcast<f32>(_e547) - _e140) * _e314);
+                        let _e562 = nodes.member[(0u + _e500)].x;
                         if (_e294 < 0f) {
-                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e571.unnamed.root, _e560.w), _e571.unnamed_1);
-                            let _e583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e560.x, _e577.unnamed_1.first_primitive));
-                            phi_1180_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e583.unnamed, lt_bvh_traverse_Tree(_e583.unnamed_1.root, _e560.y));
+                            let _e573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e562.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e573.unnamed.root, _e562.w), _e573.unnamed_1);
+                            let _e585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e579.unnamed, lt_bvh_traverse_Tree(_e562.x, _e579.unnamed_1.first_primitive));
+                            phi_1182_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e585.unnamed, lt_bvh_traverse_Tree(_e585.unnamed_1.root, _e562.y));
                         } else {
-                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.unnamed.root, _e560.y), _e599.unnamed_1);
-                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e560.z, _e605.unnamed_1.first_primitive));
-                            phi_1180_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_bvh_traverse_Tree(_e611.unnamed_1.root, _e560.w));
+                            let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e562.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e601.unnamed.root, _e562.y), _e601.unnamed_1);
+                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_bvh_traverse_Tree(_e562.z, _e607.unnamed_1.first_primitive));
+                            phi_1182_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e613.unnamed, lt_bvh_traverse_Tree(_e613.unnamed_1.root, _e562.w));
                         }
-                        let _e619 = phi_1180_;
-                        let _e629 = nodes.member[(0u + _e500)].y;
+                        let _e621 = phi_1182_;
+                        let _e631 = nodes.member[(0u + _e500)].y;
                         if (_e304 < 0f) {
-                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.unnamed.root, _e629.w), _e640.unnamed_1);
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e629.x, _e646.unnamed_1.first_primitive));
-                            phi_1207_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e652.unnamed_1.root, _e629.y));
+                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e631.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e642.unnamed.root, _e631.w), _e642.unnamed_1);
+                            let _e654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e631.x, _e648.unnamed_1.first_primitive));
+                            phi_1209_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e654.unnamed, lt_bvh_traverse_Tree(_e654.unnamed_1.root, _e631.y));
                         } else {
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.unnamed.root, _e629.y), _e668.unnamed_1);
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e629.z, _e674.unnamed_1.first_primitive));
-                            phi_1207_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e680.unnamed_1.root, _e629.w));
+                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e631.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e670.unnamed.root, _e631.y), _e670.unnamed_1);
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_bvh_traverse_Tree(_e631.z, _e676.unnamed_1.first_primitive));
+                            phi_1209_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_bvh_traverse_Tree(_e682.unnamed_1.root, _e631.w));
                         }
-                        let _e688 = phi_1207_;
-                        let _e698 = nodes.member[(0u + _e500)].z;
+                        let _e690 = phi_1209_;
+                        let _e700 = nodes.member[(0u + _e500)].z;
                         if (_e314 < 0f) {
-                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.unnamed.root, _e698.w), _e709.unnamed_1);
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e698.x, _e715.unnamed_1.first_primitive));
-                            phi_1234_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e721.unnamed_1.root, _e698.y));
+                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e700.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e711.unnamed.root, _e700.w), _e711.unnamed_1);
+                            let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e700.x, _e717.unnamed_1.first_primitive));
+                            phi_1236_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e723.unnamed, lt_bvh_traverse_Tree(_e723.unnamed_1.root, _e700.y));
                         } else {
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.unnamed.root, _e698.y), _e737.unnamed_1);
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e698.z, _e743.unnamed_1.first_primitive));
-                            phi_1234_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e749.unnamed_1.root, _e698.w));
+                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e700.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e739.unnamed.root, _e700.y), _e739.unnamed_1);
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_bvh_traverse_Tree(_e700.z, _e745.unnamed_1.first_primitive));
+                            phi_1236_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_bvh_traverse_Tree(_e751.unnamed_1.root, _e700.w));
                         }
-                        let _e757 = phi_1234_;
-                        phi_1240_ = 0u;
-                        phi_1243_ = 0u;
+                        let _e759 = phi_1236_;
+                        phi_1242_ = 0u;
+                        phi_1245_ = 0u;
                         loop {
-                            let _e767 = phi_1240_;
-                            let _e769 = phi_1243_;
-                            local_3 = _e769;
-                            local_4 = _e769;
-                            local_5 = _e769;
-                            let _e770 = (_e767 < 8u);
-                            if _e770 {
-                                let _e772 = (_e767 >> bitcast<u32>(2i));
-                                let _e773 = (_e767 & 3u);
-                                if (_e772 == 0u) {
-                                    phi_1257_ = _e619.unnamed.root;
+                            let _e769 = phi_1242_;
+                            let _e771 = phi_1245_;
+                            local_3 = _e771;
+                            local_4 = _e771;
+                            local_5 = _e771;
+                            let _e772 = (_e769 < 8u);
+                            if _e772 {
+                                let _e774 = (_e769 >> bitcast<u32>(2i));
+                                let _e775 = (_e769 & 3u);
+                                if (_e774 == 0u) {
+                                    phi_1259_ = _e621.unnamed.root;
                                 } else {
-                                    phi_1257_ = _e619.unnamed.first_primitive;
+                                    phi_1259_ = _e621.unnamed.first_primitive;
                                 }
-                                let _e776 = phi_1257_;
-                                if (_e772 == 0u) {
-                                    phi_1267_ = _e688.unnamed.root;
+                                let _e778 = phi_1259_;
+                                if (_e774 == 0u) {
+                                    phi_1269_ = _e690.unnamed.root;
                                 } else {
-                                    phi_1267_ = _e688.unnamed.first_primitive;
+                                    phi_1269_ = _e690.unnamed.first_primitive;
                                 }
-                                let _e785 = phi_1267_;
-                                if (_e772 == 0u) {
-                                    phi_1277_ = _e757.unnamed.root;
+                                let _e787 = phi_1269_;
+                                if (_e774 == 0u) {
+                                    phi_1279_ = _e759.unnamed.root;
                                 } else {
-                                    phi_1277_ = _e757.unnamed.first_primitive;
+                                    phi_1279_ = _e759.unnamed.first_primitive;
                                 }
-                                let _e794 = phi_1277_;
-                                let _e807 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e776 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e342)), ((f32(((_e785 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e343)));
-                                let _e808 = core_intrinsics_maximum_number_nsz_f32_(_e807, ((f32(((_e794 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e344)));
-                                if (_e772 == 0u) {
-                                    phi_1295_ = _e619.unnamed_1.root;
+                                let _e796 = phi_1279_;
+                                let _e809 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e778 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e342)), ((f32(((_e787 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e535) + (_e553 - _e343)));
+                                let _e810 = core_intrinsics_maximum_number_nsz_f32_(_e809, ((f32(((_e796 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e536) + (_e554 - _e344)));
+                                if (_e774 == 0u) {
+                                    phi_1297_ = _e621.unnamed_1.root;
                                 } else {
-                                    phi_1295_ = _e619.unnamed_1.first_primitive;
+                                    phi_1297_ = _e621.unnamed_1.first_primitive;
                                 }
-                                let _e811 = phi_1295_;
-                                if (_e772 == 0u) {
-                                    phi_1305_ = _e688.unnamed_1.root;
+                                let _e813 = phi_1297_;
+                                if (_e774 == 0u) {
+                                    phi_1307_ = _e690.unnamed_1.root;
                                 } else {
-                                    phi_1305_ = _e688.unnamed_1.first_primitive;
+                                    phi_1307_ = _e690.unnamed_1.first_primitive;
                                 }
-                                let _e820 = phi_1305_;
-                                if (_e772 == 0u) {
-                                    phi_1315_ = _e757.unnamed_1.root;
+                                let _e822 = phi_1307_;
+                                if (_e774 == 0u) {
+                                    phi_1317_ = _e759.unnamed_1.root;
                                 } else {
-                                    phi_1315_ = _e757.unnamed_1.first_primitive;
+                                    phi_1317_ = _e759.unnamed_1.first_primitive;
                                 }
-                                let _e829 = phi_1315_;
-                                let _e842 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e811 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e342)), ((f32(((_e820 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e343)));
-                                let _e843 = core_intrinsics_minimum_number_nsz_f32_(_e842, ((f32(((_e829 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e344)));
-                                if (_e808 <= _e843) {
-                                    if (_e808 <= _e146) {
-                                        if (_e843 >= 0f) {
-                                            if (_e772 == 0u) {
-                                                let _e850 = nodes.member[(0u + _e500)].links[2u];
-                                                phi_1351_ = _e850;
+                                let _e831 = phi_1317_;
+                                let _e844 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e813 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e342)), ((f32(((_e822 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e535) + (_e553 + _e343)));
+                                let _e845 = core_intrinsics_minimum_number_nsz_f32_(_e844, ((f32(((_e831 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e536) + (_e554 + _e344)));
+                                if (_e810 <= _e845) {
+                                    if (_e810 <= _e146) {
+                                        if (_e845 >= 0f) {
+                                            if (_e774 == 0u) {
+                                                let _e852 = nodes.member[(0u + _e500)].links[2u];
+                                                phi_1353_ = _e852;
                                             } else {
-                                                let _e853 = nodes.member[(0u + _e500)].links[3u];
-                                                phi_1351_ = _e853;
+                                                let _e855 = nodes.member[(0u + _e500)].links[3u];
+                                                phi_1353_ = _e855;
                                             }
-                                            let _e855 = phi_1351_;
-                                            let _e860 = ((_e855 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u);
-                                            let _e861 = (_e860 & 31u);
-                                            if (_e861 >= 24u) {
-                                                phi_1364_ = (24u + ((_e861 - 24u) ^ _e362));
+                                            let _e857 = phi_1353_;
+                                            let _e862 = ((_e857 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u);
+                                            let _e863 = (_e862 & 31u);
+                                            if (_e863 >= 24u) {
+                                                phi_1366_ = (24u + ((_e863 - 24u) ^ _e362));
                                             } else {
-                                                phi_1364_ = _e861;
+                                                phi_1366_ = _e863;
                                             }
-                                            let _e867 = phi_1364_;
-                                            phi_1369_ = (_e769 | ((_e860 >> bitcast<u32>(5i)) << bitcast<u32>((_e867 & 31u))));
+                                            let _e869 = phi_1366_;
+                                            phi_1371_ = (_e771 | ((_e862 >> bitcast<u32>(5i)) << bitcast<u32>((_e869 & 31u))));
                                         } else {
-                                            phi_1369_ = _e769;
+                                            phi_1371_ = _e771;
                                         }
-                                        let _e875 = phi_1369_;
-                                        phi_1370_ = _e875;
+                                        let _e877 = phi_1371_;
+                                        phi_1372_ = _e877;
                                     } else {
-                                        phi_1370_ = _e769;
+                                        phi_1372_ = _e771;
                                     }
-                                    let _e877 = phi_1370_;
-                                    phi_1371_ = _e877;
+                                    let _e879 = phi_1372_;
+                                    phi_1373_ = _e879;
                                 } else {
-                                    phi_1371_ = _e769;
+                                    phi_1373_ = _e771;
                                 }
-                                let _e879 = phi_1371_;
-                                phi_1241_ = (_e767 + 1u);
-                                phi_1244_ = _e879;
+                                let _e881 = phi_1373_;
+                                phi_1243_ = (_e769 + 1u);
+                                phi_1246_ = _e881;
                             } else {
-                                phi_1241_ = u32();
-                                phi_1244_ = u32();
+                                phi_1243_ = u32();
+                                phi_1246_ = u32();
                             }
-                            let _e882 = phi_1241_;
-                            let _e884 = phi_1244_;
+                            let _e884 = phi_1243_;
+                            let _e886 = phi_1246_;
                             continue;
                             continuing {
-                                phi_1240_ = _e882;
-                                phi_1243_ = _e884;
-                                break if !(_e770);
+                                phi_1242_ = _e884;
+                                phi_1245_ = _e886;
+                                break if !(_e772);
                             }
                         }
-                        let _e888 = nodes.member[(0u + _e500)].links[0u];
-                        let _e892 = nodes.member[(0u + _e500)].frame[3u];
-                        let _e896 = local_3;
-                        if ((_e896 & 4278190080u) == 0u) {
+                        let _e890 = nodes.member[(0u + _e500)].links[0u];
+                        let _e894 = nodes.member[(0u + _e500)].frame[3u];
+                        let _e898 = local_3;
+                        if ((_e898 & 4278190080u) == 0u) {
                         } else {
-                            let _e900 = local_2.group_mask;
-                            if ((_e900 & 4278190080u) == 0u) {
+                            let _e902 = local_2.group_mask;
+                            if ((_e902 & 4278190080u) == 0u) {
                             } else {
-                                let _e904 = local_2.len;
-                                if (_e904 < 32u) {
-                                    let _e907 = local_2.group;
-                                    let _e909 = local_2.len;
-                                    if (_e909 < 32u) {
+                                let _e906 = local_2.len;
+                                if (_e906 < 32u) {
+                                    let _e909 = local_2.group;
+                                    let _e911 = local_2.len;
+                                    if (_e911 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e909)] = _e907;
-                                    let _e915 = local_2.group_mask;
-                                    let _e917 = local_2.len;
-                                    if (_e917 < 32u) {
+                                    local_2.first[(0u + _e911)] = _e909;
+                                    let _e917 = local_2.group_mask;
+                                    let _e919 = local_2.len;
+                                    if (_e919 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e917)] = _e915;
-                                    let _e924 = local_2.len;
-                                    local_2.len = (_e924 + 1u);
+                                    local_2.mask[(0u + _e919)] = _e917;
+                                    let _e926 = local_2.len;
+                                    local_2.len = (_e926 + 1u);
                                 }
                             }
-                            local_2.group = (_e116 + _e888);
-                            let _e928 = local_4;
-                            local_2.group_mask = ((_e928 & 4278190080u) | (_e892 >> bitcast<u32>(24i)));
+                            local_2.group = (_e116 + _e890);
+                            let _e930 = local_4;
+                            local_2.group_mask = ((_e930 & 4278190080u) | (_e894 >> bitcast<u32>(24i)));
                         }
-                        let _e933 = local_5;
-                        phi_1429_ = (_e933 & 16777215u);
+                        let _e935 = local_5;
+                        phi_1431_ = (_e935 & 16777215u);
+                        phi_1434_ = _e502;
                         loop {
-                            let _e936 = phi_1429_;
-                            let _e937 = (_e936 == 0u);
-                            local_11 = _e937;
-                            local_18 = _e937;
-                            if _e937 {
-                                phi_1430_ = u32();
-                                phi_3287_ = false;
+                            let _e938 = phi_1431_;
+                            let _e940 = phi_1434_;
+                            local_18 = _e940;
+                            let _e941 = (_e938 == 0u);
+                            local_11 = _e941;
+                            local_19 = _e941;
+                            if _e941 {
+                                phi_1432_ = u32();
+                                phi_1435_ = bool();
+                                phi_3286_ = false;
                             } else {
-                                let _e940 = nodes.member[(0u + _e500)].links[1u];
-                                let _e944 = (_e940 + select(firstTrailingBit(_e936), 32u, (_e936 == 0u)));
-                                if (_e944 < arrayLength((&instances.member))) {
+                                let _e944 = nodes.member[(0u + _e500)].links[1u];
+                                let _e948 = (_e944 + select(firstTrailingBit(_e938), 32u, (_e938 == 0u)));
+                                if (_e948 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e951 = instances.member[(0u + _e944)].low_world;
-                                let _e953 = instances.member[(0u + _e944)].high_world;
-                                let _e960 = ((_e951.x - _e136) * _e294);
-                                let _e961 = ((_e951.y - _e138) * _e304);
-                                let _e962 = ((_e951.z - _e140) * _e314);
-                                let _e969 = ((_e953.x - _e136) * _e294);
-                                let _e970 = ((_e953.y - _e138) * _e304);
-                                let _e971 = ((_e953.z - _e140) * _e314);
-                                if (_e960 < _e969) {
-                                    phi_1479_ = _e960;
+                                let _e955 = instances.member[(0u + _e948)].low_world;
+                                let _e957 = instances.member[(0u + _e948)].high_world;
+                                let _e964 = ((_e955.x - _e136) * _e294);
+                                let _e965 = ((_e955.y - _e138) * _e304);
+                                let _e966 = ((_e955.z - _e140) * _e314);
+                                let _e973 = ((_e957.x - _e136) * _e294);
+                                let _e974 = ((_e957.y - _e138) * _e304);
+                                let _e975 = ((_e957.z - _e140) * _e314);
+                                if (_e964 < _e973) {
+                                    phi_1483_ = _e964;
                                 } else {
-                                    phi_1479_ = _e969;
+                                    phi_1483_ = _e973;
                                 }
-                                let _e974 = phi_1479_;
-                                if (_e961 < _e970) {
-                                    phi_1484_ = _e961;
+                                let _e978 = phi_1483_;
+                                if (_e965 < _e974) {
+                                    phi_1488_ = _e965;
                                 } else {
-                                    phi_1484_ = _e970;
+                                    phi_1488_ = _e974;
                                 }
-                                let _e977 = phi_1484_;
-                                if (_e962 < _e971) {
-                                    phi_1489_ = _e962;
+                                let _e981 = phi_1488_;
+                                if (_e966 < _e975) {
+                                    phi_1493_ = _e966;
                                 } else {
-                                    phi_1489_ = _e971;
+                                    phi_1493_ = _e975;
                                 }
-                                let _e980 = phi_1489_;
-                                if (_e960 > _e969) {
-                                    phi_1497_ = _e960;
+                                let _e984 = phi_1493_;
+                                if (_e964 > _e973) {
+                                    phi_1501_ = _e964;
                                 } else {
-                                    phi_1497_ = _e969;
+                                    phi_1501_ = _e973;
                                 }
-                                let _e986 = phi_1497_;
-                                if (_e961 > _e970) {
-                                    phi_1502_ = _e961;
+                                let _e990 = phi_1501_;
+                                if (_e965 > _e974) {
+                                    phi_1506_ = _e965;
                                 } else {
-                                    phi_1502_ = _e970;
+                                    phi_1506_ = _e974;
                                 }
-                                let _e989 = phi_1502_;
-                                if (_e962 > _e971) {
-                                    phi_1507_ = _e962;
+                                let _e993 = phi_1506_;
+                                if (_e966 > _e975) {
+                                    phi_1511_ = _e966;
                                 } else {
-                                    phi_1507_ = _e971;
+                                    phi_1511_ = _e975;
                                 }
-                                let _e992 = phi_1507_;
-                                let _e996 = core_intrinsics_maximum_number_nsz_f32_((_e974 - _e349), (_e977 - _e350));
-                                let _e997 = core_intrinsics_maximum_number_nsz_f32_(_e996, (_e980 - _e351));
-                                let _e998 = core_intrinsics_minimum_number_nsz_f32_((_e986 + _e349), (_e989 + _e350));
-                                let _e999 = core_intrinsics_minimum_number_nsz_f32_(_e998, (_e992 + _e351));
-                                if (_e997 <= _e999) {
-                                    if (_e997 <= _e146) {
-                                        if (_e999 >= 0f) {
-                                            let _e1005 = instances.member[(0u + _e944)].world_to_object[0u];
-                                            let _e1016 = ((((_e1005.x * _e136) + (_e1005.y * _e138)) + (_e1005.z * _e140)) + (_e1005.w * 1f));
-                                            let _e1018 = instances.member[(0u + _e944)].world_to_object[1u];
-                                            let _e1029 = ((((_e1018.x * _e136) + (_e1018.y * _e138)) + (_e1018.z * _e140)) + (_e1018.w * 1f));
-                                            let _e1031 = instances.member[(0u + _e944)].world_to_object[2u];
-                                            let _e1042 = ((((_e1031.x * _e136) + (_e1031.y * _e138)) + (_e1031.z * _e140)) + (_e1031.w * 1f));
-                                            let _e1045 = instances.member[(0u + _e944)].world_to_object[0u];
-                                            let _e1056 = ((((_e1045.x * _e154) + (_e1045.y * _e155)) + (_e1045.z * _e156)) + (_e1045.w * 0f));
-                                            let _e1058 = instances.member[(0u + _e944)].world_to_object[1u];
-                                            let _e1069 = ((((_e1058.x * _e154) + (_e1058.y * _e155)) + (_e1058.z * _e156)) + (_e1058.w * 0f));
-                                            let _e1071 = instances.member[(0u + _e944)].world_to_object[2u];
-                                            let _e1082 = ((((_e1071.x * _e154) + (_e1071.y * _e155)) + (_e1071.z * _e156)) + (_e1071.w * 0f));
-                                            let _e1085 = instances.member[(0u + _e944)].root;
-                                            let _e1087 = instances.member[(0u + _e944)].first_triangle;
-                                            let _e1091 = abs(_e1056);
-                                            let _e1092 = abs(_e1069);
-                                            let _e1093 = abs(_e1082);
-                                            if (abs(_e1016) < 1000000000000000f) {
-                                                if (abs(_e1029) < 1000000000000000f) {
-                                                    if (abs(_e1042) < 1000000000000000f) {
-                                                        if (_e1091 < 1000000000000000f) {
-                                                            if (_e1092 < 1000000000000000f) {
-                                                                if (_e1093 < 1000000000000000f) {
-                                                                    if (_e1091 > 0f) {
-                                                                        phi_1652_ = bool();
-                                                                        phi_1653_ = true;
-                                                                    } else {
-                                                                        let _e1101 = (_e1092 > 0f);
-                                                                        if _e1101 {
-                                                                            phi_1651_ = bool();
-                                                                        } else {
-                                                                            phi_1651_ = (_e1093 > 0f);
-                                                                        }
-                                                                        let _e1104 = phi_1651_;
-                                                                        phi_1652_ = _e1104;
-                                                                        phi_1653_ = _e1101;
-                                                                    }
-                                                                    let _e1106 = phi_1652_;
-                                                                    let _e1108 = phi_1653_;
-                                                                    if _e1108 {
+                                let _e996 = phi_1511_;
+                                let _e1000 = core_intrinsics_maximum_number_nsz_f32_((_e978 - _e349), (_e981 - _e350));
+                                let _e1001 = core_intrinsics_maximum_number_nsz_f32_(_e1000, (_e984 - _e351));
+                                let _e1002 = core_intrinsics_minimum_number_nsz_f32_((_e990 + _e349), (_e993 + _e350));
+                                let _e1003 = core_intrinsics_minimum_number_nsz_f32_(_e1002, (_e996 + _e351));
+                                if (_e1001 <= _e1003) {
+                                    if (_e1001 <= _e146) {
+                                        if (_e1003 >= 0f) {
+                                            let _e1009 = instances.member[(0u + _e948)].world_to_object[0u];
+                                            let _e1020 = ((((_e1009.x * _e136) + (_e1009.y * _e138)) + (_e1009.z * _e140)) + (_e1009.w * 1f));
+                                            let _e1022 = instances.member[(0u + _e948)].world_to_object[1u];
+                                            let _e1033 = ((((_e1022.x * _e136) + (_e1022.y * _e138)) + (_e1022.z * _e140)) + (_e1022.w * 1f));
+                                            let _e1035 = instances.member[(0u + _e948)].world_to_object[2u];
+                                            let _e1046 = ((((_e1035.x * _e136) + (_e1035.y * _e138)) + (_e1035.z * _e140)) + (_e1035.w * 1f));
+                                            let _e1049 = instances.member[(0u + _e948)].world_to_object[0u];
+                                            let _e1060 = ((((_e1049.x * _e154) + (_e1049.y * _e155)) + (_e1049.z * _e156)) + (_e1049.w * 0f));
+                                            let _e1062 = instances.member[(0u + _e948)].world_to_object[1u];
+                                            let _e1073 = ((((_e1062.x * _e154) + (_e1062.y * _e155)) + (_e1062.z * _e156)) + (_e1062.w * 0f));
+                                            let _e1075 = instances.member[(0u + _e948)].world_to_object[2u];
+                                            let _e1086 = ((((_e1075.x * _e154) + (_e1075.y * _e155)) + (_e1075.z * _e156)) + (_e1075.w * 0f));
+                                            let _e1089 = instances.member[(0u + _e948)].root;
+                                            let _e1091 = instances.member[(0u + _e948)].first_triangle;
+                                            let _e1095 = abs(_e1060);
+                                            let _e1096 = abs(_e1073);
+                                            let _e1097 = abs(_e1086);
+                                            if (abs(_e1020) < 1000000000000000f) {
+                                                if (abs(_e1033) < 1000000000000000f) {
+                                                    if (abs(_e1046) < 1000000000000000f) {
+                                                        if (_e1095 < 1000000000000000f) {
+                                                            if (_e1096 < 1000000000000000f) {
+                                                                if (_e1097 < 1000000000000000f) {
+                                                                    if (_e1095 > 0f) {
+                                                                        phi_1656_ = bool();
                                                                         phi_1657_ = true;
                                                                     } else {
-                                                                        phi_1657_ = _e1106;
+                                                                        let _e1105 = (_e1096 > 0f);
+                                                                        if _e1105 {
+                                                                            phi_1655_ = bool();
+                                                                        } else {
+                                                                            phi_1655_ = (_e1097 > 0f);
+                                                                        }
+                                                                        let _e1108 = phi_1655_;
+                                                                        phi_1656_ = _e1108;
+                                                                        phi_1657_ = _e1105;
                                                                     }
-                                                                    let _e1110 = phi_1657_;
-                                                                    phi_1658_ = _e1110;
-                                                                    phi_1659_ = false;
+                                                                    let _e1110 = phi_1656_;
+                                                                    let _e1112 = phi_1657_;
+                                                                    if _e1112 {
+                                                                        phi_1661_ = true;
+                                                                    } else {
+                                                                        phi_1661_ = _e1110;
+                                                                    }
+                                                                    let _e1114 = phi_1661_;
+                                                                    phi_1662_ = _e1114;
+                                                                    phi_1663_ = false;
                                                                 } else {
-                                                                    phi_1658_ = bool();
-                                                                    phi_1659_ = true;
+                                                                    phi_1662_ = bool();
+                                                                    phi_1663_ = true;
                                                                 }
-                                                                let _e1112 = phi_1658_;
-                                                                let _e1114 = phi_1659_;
-                                                                phi_1660_ = _e1112;
-                                                                phi_1661_ = false;
-                                                                phi_1662_ = _e1114;
+                                                                let _e1116 = phi_1662_;
+                                                                let _e1118 = phi_1663_;
+                                                                phi_1664_ = _e1116;
+                                                                phi_1665_ = false;
+                                                                phi_1666_ = _e1118;
                                                             } else {
-                                                                phi_1660_ = bool();
-                                                                phi_1661_ = true;
-                                                                phi_1662_ = false;
+                                                                phi_1664_ = bool();
+                                                                phi_1665_ = true;
+                                                                phi_1666_ = false;
                                                             }
-                                                            let _e1116 = phi_1660_;
-                                                            let _e1118 = phi_1661_;
-                                                            let _e1120 = phi_1662_;
-                                                            phi_1663_ = _e1116;
-                                                            phi_1664_ = _e1118;
-                                                            phi_1665_ = _e1120;
+                                                            let _e1120 = phi_1664_;
+                                                            let _e1122 = phi_1665_;
+                                                            let _e1124 = phi_1666_;
+                                                            phi_1667_ = _e1120;
+                                                            phi_1668_ = _e1122;
+                                                            phi_1669_ = _e1124;
                                                         } else {
-                                                            phi_1663_ = bool();
-                                                            phi_1664_ = true;
-                                                            phi_1665_ = false;
+                                                            phi_1667_ = bool();
+                                                            phi_1668_ = true;
+                                                            phi_1669_ = false;
                                                         }
-                                                        let _e1122 = phi_1663_;
-                                                        let _e1124 = phi_1664_;
-                                                        let _e1126 = phi_1665_;
-                                                        phi_1666_ = _e1122;
-                                                        phi_1667_ = _e1124;
-                                                        phi_1668_ = _e1126;
+                                                        let _e1126 = phi_1667_;
+                                                        let _e1128 = phi_1668_;
+                                                        let _e1130 = phi_1669_;
+                                                        phi_1670_ = _e1126;
+                                                        phi_1671_ = _e1128;
+                                                        phi_1672_ = _e1130;
                                                     } else {
-                                                        phi_1666_ = bool();
-                                                        phi_1667_ = true;
-                                                        phi_1668_ = false;
+                                                        phi_1670_ = bool();
+                                                        phi_1671_ = true;
+                                                        phi_1672_ = false;
                                                     }
-                                                    let _e1128 = phi_1666_;
-                                                    let _e1130 = phi_1667_;
-                                                    let _e1132 = phi_1668_;
-                                                    phi_1669_ = _e1128;
-                                                    phi_1670_ = _e1130;
-                                                    phi_1671_ = _e1132;
+                                                    let _e1132 = phi_1670_;
+                                                    let _e1134 = phi_1671_;
+                                                    let _e1136 = phi_1672_;
+                                                    phi_1673_ = _e1132;
+                                                    phi_1674_ = _e1134;
+                                                    phi_1675_ = _e1136;
                                                 } else {
-                                                    phi_1669_ = bool();
-                                                    phi_1670_ = true;
-                                                    phi_1671_ = false;
+                                                    phi_1673_ = bool();
+                                                    phi_1674_ = true;
+                                                    phi_1675_ = false;
                                                 }
-                                                let _e1134 = phi_1669_;
-                                                let _e1136 = phi_1670_;
-                                                let _e1138 = phi_1671_;
-                                                phi_1672_ = _e1134;
-                                                phi_1673_ = _e1136;
-                                                phi_1674_ = _e1138;
+                                                let _e1138 = phi_1673_;
+                                                let _e1140 = phi_1674_;
+                                                let _e1142 = phi_1675_;
+                                                phi_1676_ = _e1138;
+                                                phi_1677_ = _e1140;
+                                                phi_1678_ = _e1142;
                                             } else {
-                                                phi_1672_ = bool();
-                                                phi_1673_ = true;
-                                                phi_1674_ = false;
+                                                phi_1676_ = bool();
+                                                phi_1677_ = true;
+                                                phi_1678_ = false;
                                             }
-                                            let _e1140 = phi_1672_;
-                                            let _e1142 = phi_1673_;
-                                            let _e1144 = phi_1674_;
-                                            if _e1142 {
-                                                phi_1678_ = true;
-                                            } else {
-                                                phi_1678_ = _e1144;
-                                            }
-                                            let _e1146 = phi_1678_;
+                                            let _e1144 = phi_1676_;
+                                            let _e1146 = phi_1677_;
+                                            let _e1148 = phi_1678_;
                                             if _e1146 {
-                                                phi_1682_ = false;
+                                                phi_1682_ = true;
                                             } else {
-                                                phi_1682_ = _e1140;
+                                                phi_1682_ = _e1148;
                                             }
-                                            let _e1148 = phi_1682_;
-                                            if _e1148 {
-                                                let _e1149 = (_e1085 >= _e77);
-                                                if _e1149 {
-                                                    phi_3270_ = bool();
+                                            let _e1150 = phi_1682_;
+                                            if _e1150 {
+                                                phi_1686_ = false;
+                                            } else {
+                                                phi_1686_ = _e1144;
+                                            }
+                                            let _e1152 = phi_1686_;
+                                            if _e1152 {
+                                                let _e1153 = (_e1089 >= _e77);
+                                                if _e1153 {
+                                                    phi_3266_ = bool();
                                                 } else {
-                                                    if (_e1085 < _e77) {
+                                                    if (_e1089 < _e77) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1155 = nodes.member[(0u + _e1085)].frame[0u];
-                                                    let _e1159 = nodes.member[(0u + _e1085)].frame[1u];
-                                                    let _e1163 = nodes.member[(0u + _e1085)].frame[2u];
-                                                    let _e1167 = nodes.member[(0u + _e1085)].frame[0u];
-                                                    let _e1171 = nodes.member[(0u + _e1085)].frame[1u];
-                                                    let _e1175 = nodes.member[(0u + _e1085)].frame[2u];
-                                                    let _e1179 = nodes.member[(0u + _e1085)].frame[3u];
-                                                    let _e1213 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1056), abs(_e1069));
-                                                    let _e1214 = core_intrinsics_maximum_number_nsz_f32_(_e1213, abs(_e1082));
-                                                    let _e1215 = (_e1214 * 0.0000000000009094947f);
-                                                    if (abs(_e1056) < _e1215) {
-                                                        phi_1752_ = _e1215;
+                                                    let _e1159 = nodes.member[(0u + _e1089)].frame[0u];
+                                                    let _e1163 = nodes.member[(0u + _e1089)].frame[1u];
+                                                    let _e1167 = nodes.member[(0u + _e1089)].frame[2u];
+                                                    let _e1171 = nodes.member[(0u + _e1089)].frame[0u];
+                                                    let _e1175 = nodes.member[(0u + _e1089)].frame[1u];
+                                                    let _e1179 = nodes.member[(0u + _e1089)].frame[2u];
+                                                    let _e1183 = nodes.member[(0u + _e1089)].frame[3u];
+                                                    let _e1217 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1060), abs(_e1073));
+                                                    let _e1218 = core_intrinsics_maximum_number_nsz_f32_(_e1217, abs(_e1086));
+                                                    let _e1219 = (_e1218 * 0.0000000000009094947f);
+                                                    if (abs(_e1060) < _e1219) {
+                                                        phi_1756_ = _e1219;
                                                     } else {
-                                                        phi_1752_ = abs(_e1056);
+                                                        phi_1756_ = abs(_e1060);
                                                     }
-                                                    let _e1220 = phi_1752_;
-                                                    if (_e1056 < 0f) {
-                                                        phi_1759_ = (-1f / _e1220);
+                                                    let _e1224 = phi_1756_;
+                                                    if (_e1060 < 0f) {
+                                                        phi_1763_ = (-1f / _e1224);
                                                     } else {
-                                                        phi_1759_ = (1f / _e1220);
+                                                        phi_1763_ = (1f / _e1224);
                                                     }
-                                                    let _e1225 = phi_1759_;
-                                                    if (abs(_e1069) < _e1215) {
-                                                        phi_1766_ = _e1215;
+                                                    let _e1229 = phi_1763_;
+                                                    if (abs(_e1073) < _e1219) {
+                                                        phi_1770_ = _e1219;
                                                     } else {
-                                                        phi_1766_ = abs(_e1069);
+                                                        phi_1770_ = abs(_e1073);
                                                     }
-                                                    let _e1230 = phi_1766_;
-                                                    if (_e1069 < 0f) {
-                                                        phi_1773_ = (-1f / _e1230);
+                                                    let _e1234 = phi_1770_;
+                                                    if (_e1073 < 0f) {
+                                                        phi_1777_ = (-1f / _e1234);
                                                     } else {
-                                                        phi_1773_ = (1f / _e1230);
+                                                        phi_1777_ = (1f / _e1234);
                                                     }
-                                                    let _e1235 = phi_1773_;
-                                                    if (abs(_e1082) < _e1215) {
-                                                        phi_1780_ = _e1215;
+                                                    let _e1239 = phi_1777_;
+                                                    if (abs(_e1086) < _e1219) {
+                                                        phi_1784_ = _e1219;
                                                     } else {
-                                                        phi_1780_ = abs(_e1082);
+                                                        phi_1784_ = abs(_e1086);
                                                     }
-                                                    let _e1240 = phi_1780_;
-                                                    if (_e1082 < 0f) {
-                                                        phi_1787_ = (-1f / _e1240);
+                                                    let _e1244 = phi_1784_;
+                                                    if (_e1086 < 0f) {
+                                                        phi_1791_ = (-1f / _e1244);
                                                     } else {
-                                                        phi_1787_ = (1f / _e1240);
+                                                        phi_1791_ = (1f / _e1244);
                                                     }
-                                                    let _e1245 = phi_1787_;
-                                                    let _e1249 = abs((bitcast<f32>(_e1155) - _e1016));
-                                                    let _e1250 = abs((bitcast<f32>(_e1159) - _e1029));
-                                                    let _e1251 = abs((bitcast<f32>(_e1163) - _e1042));
-                                                    let _e1255 = abs(((bitcast<f32>(_e1167) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1016));
-                                                    let _e1256 = abs(((bitcast<f32>(_e1171) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1029));
-                                                    let _e1257 = abs(((bitcast<f32>(_e1175) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1042));
-                                                    if (_e1249 > _e1255) {
-                                                        phi_1804_ = _e1249;
+                                                    let _e1249 = phi_1791_;
+                                                    let _e1253 = abs((bitcast<f32>(_e1159) - _e1020));
+                                                    let _e1254 = abs((bitcast<f32>(_e1163) - _e1033));
+                                                    let _e1255 = abs((bitcast<f32>(_e1167) - _e1046));
+                                                    let _e1259 = abs(((bitcast<f32>(_e1171) + (bitcast<f32>((((_e1183 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1020));
+                                                    let _e1260 = abs(((bitcast<f32>(_e1175) + (bitcast<f32>((((_e1183 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1033));
+                                                    let _e1261 = abs(((bitcast<f32>(_e1179) + (bitcast<f32>((((_e1183 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1046));
+                                                    if (_e1253 > _e1259) {
+                                                        phi_1808_ = _e1253;
                                                     } else {
-                                                        phi_1804_ = _e1255;
+                                                        phi_1808_ = _e1259;
                                                     }
-                                                    let _e1260 = phi_1804_;
-                                                    if (_e1250 > _e1256) {
-                                                        phi_1809_ = _e1250;
+                                                    let _e1264 = phi_1808_;
+                                                    if (_e1254 > _e1260) {
+                                                        phi_1813_ = _e1254;
                                                     } else {
-                                                        phi_1809_ = _e1256;
+                                                        phi_1813_ = _e1260;
                                                     }
-                                                    let _e1263 = phi_1809_;
-                                                    if (_e1251 > _e1257) {
-                                                        phi_1814_ = _e1251;
+                                                    let _e1267 = phi_1813_;
+                                                    if (_e1255 > _e1261) {
+                                                        phi_1818_ = _e1255;
                                                     } else {
-                                                        phi_1814_ = _e1257;
+                                                        phi_1818_ = _e1261;
                                                     }
-                                                    let _e1266 = phi_1814_;
-                                                    let _e1267 = core_intrinsics_maximum_number_nsz_f32_(_e1260, _e1263);
-                                                    let _e1268 = core_intrinsics_maximum_number_nsz_f32_(_e1267, _e1266);
-                                                    let _e1272 = (_e1268 * 0.0000019073486f);
-                                                    let _e1273 = (abs(_e1225) * _e1272);
-                                                    let _e1274 = (abs(_e1235) * _e1272);
-                                                    let _e1275 = (abs(_e1245) * _e1272);
-                                                    let _e1279 = (_e1268 * 0.0000009536743f);
-                                                    let _e1280 = (abs(_e1225) * _e1279);
-                                                    let _e1281 = (abs(_e1235) * _e1279);
-                                                    let _e1282 = (abs(_e1245) * _e1279);
-                                                    let _e1283 = abs(_e1056);
-                                                    let _e1284 = abs(_e1069);
-                                                    let _e1285 = abs(_e1082);
-                                                    if (_e1283 >= _e1284) {
-                                                        if (_e1283 >= _e1285) {
-                                                            phi_1842_ = false;
+                                                    let _e1270 = phi_1818_;
+                                                    let _e1271 = core_intrinsics_maximum_number_nsz_f32_(_e1264, _e1267);
+                                                    let _e1272 = core_intrinsics_maximum_number_nsz_f32_(_e1271, _e1270);
+                                                    let _e1276 = (_e1272 * 0.0000019073486f);
+                                                    let _e1277 = (abs(_e1229) * _e1276);
+                                                    let _e1278 = (abs(_e1239) * _e1276);
+                                                    let _e1279 = (abs(_e1249) * _e1276);
+                                                    let _e1283 = (_e1272 * 0.0000009536743f);
+                                                    let _e1284 = (abs(_e1229) * _e1283);
+                                                    let _e1285 = (abs(_e1239) * _e1283);
+                                                    let _e1286 = (abs(_e1249) * _e1283);
+                                                    let _e1287 = abs(_e1060);
+                                                    let _e1288 = abs(_e1073);
+                                                    let _e1289 = abs(_e1086);
+                                                    if (_e1287 >= _e1288) {
+                                                        if (_e1287 >= _e1289) {
+                                                            phi_1846_ = false;
                                                         } else {
-                                                            phi_1842_ = true;
+                                                            phi_1846_ = true;
                                                         }
-                                                        let _e1289 = phi_1842_;
-                                                        phi_1843_ = _e1289;
+                                                        let _e1293 = phi_1846_;
+                                                        phi_1847_ = _e1293;
                                                     } else {
-                                                        phi_1843_ = true;
+                                                        phi_1847_ = true;
                                                     }
-                                                    let _e1291 = phi_1843_;
-                                                    if _e1291 {
-                                                        if (_e1284 >= _e1285) {
-                                                            phi_1851_ = 1u;
+                                                    let _e1295 = phi_1847_;
+                                                    if _e1295 {
+                                                        if (_e1288 >= _e1289) {
+                                                            phi_1855_ = 1u;
                                                         } else {
-                                                            phi_1851_ = 2u;
+                                                            phi_1855_ = 2u;
                                                         }
-                                                        let _e1294 = phi_1851_;
-                                                        phi_1852_ = _e1294;
+                                                        let _e1298 = phi_1855_;
+                                                        phi_1856_ = _e1298;
                                                     } else {
-                                                        phi_1852_ = 0u;
+                                                        phi_1856_ = 0u;
                                                     }
-                                                    let _e1296 = phi_1852_;
-                                                    if (_e1296 == 0u) {
-                                                        phi_1864_ = vec3<f32>(_e1069, _e1082, _e1056);
+                                                    let _e1300 = phi_1856_;
+                                                    if (_e1300 == 0u) {
+                                                        phi_1868_ = vec3<f32>(_e1073, _e1086, _e1060);
                                                     } else {
-                                                        if (_e1296 == 1u) {
-                                                            phi_1863_ = vec3<f32>(_e1082, _e1056, _e1069);
+                                                        if (_e1300 == 1u) {
+                                                            phi_1867_ = vec3<f32>(_e1086, _e1060, _e1073);
                                                         } else {
-                                                            phi_1863_ = vec3<f32>(_e1056, _e1069, _e1082);
+                                                            phi_1867_ = vec3<f32>(_e1060, _e1073, _e1086);
                                                         }
-                                                        let _e1302 = phi_1863_;
-                                                        phi_1864_ = _e1302;
+                                                        let _e1306 = phi_1867_;
+                                                        phi_1868_ = _e1306;
                                                     }
-                                                    let _e1304 = phi_1864_;
-                                                    let _e1307 = (_e1304.x / _e1304.z);
-                                                    let _e1310 = (_e1304.y / _e1304.z);
-                                                    if (_e1225 < 0f) {
-                                                        phi_1877_ = 0u;
+                                                    let _e1308 = phi_1868_;
+                                                    let _e1311 = (_e1308.x / _e1308.z);
+                                                    let _e1314 = (_e1308.y / _e1308.z);
+                                                    if (_e1229 < 0f) {
+                                                        phi_1881_ = 0u;
                                                     } else {
-                                                        phi_1877_ = 1u;
+                                                        phi_1881_ = 1u;
                                                     }
-                                                    let _e1315 = phi_1877_;
-                                                    if (_e1235 < 0f) {
-                                                        phi_1882_ = 0u;
+                                                    let _e1319 = phi_1881_;
+                                                    if (_e1239 < 0f) {
+                                                        phi_1886_ = 0u;
                                                     } else {
-                                                        phi_1882_ = 2u;
+                                                        phi_1886_ = 2u;
                                                     }
-                                                    let _e1318 = phi_1882_;
-                                                    if (_e1245 < 0f) {
-                                                        phi_1887_ = 0u;
+                                                    let _e1322 = phi_1886_;
+                                                    if (_e1249 < 0f) {
+                                                        phi_1891_ = 0u;
                                                     } else {
-                                                        phi_1887_ = 4u;
+                                                        phi_1891_ = 4u;
                                                     }
-                                                    let _e1321 = phi_1887_;
-                                                    let _e1323 = ((_e1315 | _e1318) | _e1321);
-                                                    let _e1324 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1085, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1324.first[0], _e1324.first[1], _e1324.first[2], _e1324.first[3], _e1324.first[4], _e1324.first[5], _e1324.first[6], _e1324.first[7], _e1324.first[8], _e1324.first[9], _e1324.first[10], _e1324.first[11], _e1324.first[12], _e1324.first[13], _e1324.first[14], _e1324.first[15], _e1324.first[16], _e1324.first[17], _e1324.first[18], _e1324.first[19], _e1324.first[20], _e1324.first[21], _e1324.first[22], _e1324.first[23], _e1324.first[24], _e1324.first[25], _e1324.first[26], _e1324.first[27], _e1324.first[28], _e1324.first[29], _e1324.first[30], _e1324.first[31]), array<u32, 32>(_e1324.mask[0], _e1324.mask[1], _e1324.mask[2], _e1324.mask[3], _e1324.mask[4], _e1324.mask[5], _e1324.mask[6], _e1324.mask[7], _e1324.mask[8], _e1324.mask[9], _e1324.mask[10], _e1324.mask[11], _e1324.mask[12], _e1324.mask[13], _e1324.mask[14], _e1324.mask[15], _e1324.mask[16], _e1324.mask[17], _e1324.mask[18], _e1324.mask[19], _e1324.mask[20], _e1324.mask[21], _e1324.mask[22], _e1324.mask[23], _e1324.mask[24], _e1324.mask[25], _e1324.mask[26], _e1324.mask[27], _e1324.mask[28], _e1324.mask[29], _e1324.mask[30], _e1324.mask[31]), _e1324.len, _e1324.group, _e1324.group_mask);
-                                                    let _e1398 = local_1.group_mask;
-                                                    if ((_e1398 & 4278190080u) == 0u) {
-                                                        let _e1402 = local_1.len;
-                                                        if (_e1402 == 0u) {
-                                                            phi_2001_ = false;
+                                                    let _e1325 = phi_1891_;
+                                                    let _e1327 = ((_e1319 | _e1322) | _e1325);
+                                                    let _e1328 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1089, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1328.first[0], _e1328.first[1], _e1328.first[2], _e1328.first[3], _e1328.first[4], _e1328.first[5], _e1328.first[6], _e1328.first[7], _e1328.first[8], _e1328.first[9], _e1328.first[10], _e1328.first[11], _e1328.first[12], _e1328.first[13], _e1328.first[14], _e1328.first[15], _e1328.first[16], _e1328.first[17], _e1328.first[18], _e1328.first[19], _e1328.first[20], _e1328.first[21], _e1328.first[22], _e1328.first[23], _e1328.first[24], _e1328.first[25], _e1328.first[26], _e1328.first[27], _e1328.first[28], _e1328.first[29], _e1328.first[30], _e1328.first[31]), array<u32, 32>(_e1328.mask[0], _e1328.mask[1], _e1328.mask[2], _e1328.mask[3], _e1328.mask[4], _e1328.mask[5], _e1328.mask[6], _e1328.mask[7], _e1328.mask[8], _e1328.mask[9], _e1328.mask[10], _e1328.mask[11], _e1328.mask[12], _e1328.mask[13], _e1328.mask[14], _e1328.mask[15], _e1328.mask[16], _e1328.mask[17], _e1328.mask[18], _e1328.mask[19], _e1328.mask[20], _e1328.mask[21], _e1328.mask[22], _e1328.mask[23], _e1328.mask[24], _e1328.mask[25], _e1328.mask[26], _e1328.mask[27], _e1328.mask[28], _e1328.mask[29], _e1328.mask[30], _e1328.mask[31]), _e1328.len, _e1328.group, _e1328.group_mask);
+                                                    let _e1402 = local_1.group_mask;
+                                                    if ((_e1402 & 4278190080u) == 0u) {
+                                                        let _e1406 = local_1.len;
+                                                        if (_e1406 == 0u) {
+                                                            phi_2005_ = false;
                                                         } else {
-                                                            let _e1406 = local_1.len;
-                                                            local_1.len = (_e1406 - 1u);
-                                                            let _e1409 = local_1.len;
-                                                            if (_e1409 < 32u) {
+                                                            let _e1410 = local_1.len;
+                                                            local_1.len = (_e1410 - 1u);
+                                                            let _e1413 = local_1.len;
+                                                            if (_e1413 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1414 = local_1.first[(0u + _e1409)];
-                                                            local_1.group = _e1414;
-                                                            let _e1417 = local_1.len;
-                                                            if (_e1417 < 32u) {
+                                                            let _e1418 = local_1.first[(0u + _e1413)];
+                                                            local_1.group = _e1418;
+                                                            let _e1421 = local_1.len;
+                                                            if (_e1421 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1422 = local_1.mask[(0u + _e1417)];
-                                                            local_1.group_mask = _e1422;
-                                                            phi_2001_ = true;
+                                                            let _e1426 = local_1.mask[(0u + _e1421)];
+                                                            local_1.group_mask = _e1426;
+                                                            phi_2005_ = true;
                                                         }
-                                                        let _e1425 = phi_2001_;
-                                                        phi_2002_ = _e1425;
+                                                        let _e1429 = phi_2005_;
+                                                        phi_2006_ = _e1429;
                                                     } else {
-                                                        phi_2002_ = true;
+                                                        phi_2006_ = true;
                                                     }
-                                                    let _e1427 = phi_2002_;
-                                                    if _e1427 {
-                                                        let _e1429 = local_1.group_mask;
-                                                        let _e1435 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1429)), 32u, (_e1429 == 0u)));
-                                                        let _e1439 = local_1.group_mask;
-                                                        let _e1453 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1453 & ~((1u << bitcast<u32>((_e1435 & 31u)))));
-                                                        let _e1456 = local_1.group;
-                                                        phi_2033_ = (_e1456 + countOneBits(((_e1439 & ~((4294967295u << bitcast<u32>((((_e1435 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1431 = phi_2006_;
+                                                    if _e1431 {
+                                                        let _e1433 = local_1.group_mask;
+                                                        let _e1439 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1433)), 32u, (_e1433 == 0u)));
+                                                        let _e1443 = local_1.group_mask;
+                                                        let _e1457 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1457 & ~((1u << bitcast<u32>((_e1439 & 31u)))));
+                                                        let _e1460 = local_1.group;
+                                                        phi_2037_ = (_e1460 + countOneBits(((_e1443 & ~((4294967295u << bitcast<u32>((((_e1439 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2033_ = 4294967295u;
+                                                        phi_2037_ = 4294967295u;
                                                     }
-                                                    let _e1459 = phi_2033_;
-                                                    phi_2035_ = _e1459;
+                                                    let _e1463 = phi_2037_;
+                                                    phi_2039_ = _e1463;
+                                                    phi_2042_ = _e940;
                                                     loop {
-                                                        let _e1461 = phi_2035_;
-                                                        if (_e1461 != 4294967295u) {
-                                                            if (_e1461 < _e77) {
+                                                        let _e1465 = phi_2039_;
+                                                        let _e1467 = phi_2042_;
+                                                        local_17 = _e1467;
+                                                        if (_e1465 != 4294967295u) {
+                                                            if (_e1465 < _e77) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1468 = nodes.member[(0u + _e1461)].frame[3u];
-                                                            let _e1493 = (bitcast<f32>((((_e1468 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1225);
-                                                            let _e1494 = (bitcast<f32>((((_e1468 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1235);
-                                                            let _e1495 = (bitcast<f32>((((_e1468 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1245);
-                                                            let _e1498 = nodes.member[(0u + _e1461)].frame[0u];
-                                                            let _e1502 = nodes.member[(0u + _e1461)].frame[1u];
-                                                            let _e1506 = nodes.member[(0u + _e1461)].frame[2u];
-                                                            let _e1511 = ((bitcast<f32>(_e1498) - _e1016) * _e1225);
-                                                            let _e1512 = ((bitcast<f32>(_e1502) - _e1029) * _e1235);
-                                                            let _e1513 = ((bitcast<f32>(_e1506) - _e1042) * _e1245);
-                                                            let _e1521 = nodes.member[(0u + _e1461)].x;
-                                                            if (_e1225 < 0f) {
-                                                                let _e1532 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1521.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1538 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1532.unnamed.root, _e1521.w), _e1532.unnamed_1);
-                                                                let _e1544 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1538.unnamed, lt_bvh_traverse_Tree(_e1521.x, _e1538.unnamed_1.first_primitive));
-                                                                phi_2116_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1544.unnamed, lt_bvh_traverse_Tree(_e1544.unnamed_1.root, _e1521.y));
+                                                            let _e1474 = nodes.member[(0u + _e1465)].frame[3u];
+                                                            let _e1499 = (bitcast<f32>((((_e1474 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1229);
+                                                            let _e1500 = (bitcast<f32>((((_e1474 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1239);
+                                                            let _e1501 = (bitcast<f32>((((_e1474 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1249);
+                                                            let _e1504 = nodes.member[(0u + _e1465)].frame[0u];
+                                                            let _e1508 = nodes.member[(0u + _e1465)].frame[1u];
+                                                            let _e1512 = nodes.member[(0u + _e1465)].frame[2u];
+                                                            let _e1517 = ((bitcast<f32>(_e1504) - _e1020) * _e1229);
+                                                            let _e1518 = ((bitcast<f32>(_e1508) - _e1033) * _e1239);
+                                                            let _e1519 = ((bitcast<f32>(_e1512) - _e1046) * _e1249);
+                                                            let _e1527 = nodes.member[(0u + _e1465)].x;
+                                                            if (_e1229 < 0f) {
+                                                                let _e1538 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1527.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1544 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1538.unnamed.root, _e1527.w), _e1538.unnamed_1);
+                                                                let _e1550 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1544.unnamed, lt_bvh_traverse_Tree(_e1527.x, _e1544.unnamed_1.first_primitive));
+                                                                phi_2122_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1550.unnamed, lt_bvh_traverse_Tree(_e1550.unnamed_1.root, _e1527.y));
                                                             } else {
-                                                                let _e1560 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1521.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1560.unnamed.root, _e1521.y), _e1560.unnamed_1);
-                                                                let _e1572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1566.unnamed, lt_bvh_traverse_Tree(_e1521.z, _e1566.unnamed_1.first_primitive));
-                                                                phi_2116_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1572.unnamed, lt_bvh_traverse_Tree(_e1572.unnamed_1.root, _e1521.w));
+                                                                let _e1566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1527.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1566.unnamed.root, _e1527.y), _e1566.unnamed_1);
+                                                                let _e1578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1572.unnamed, lt_bvh_traverse_Tree(_e1527.z, _e1572.unnamed_1.first_primitive));
+                                                                phi_2122_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1578.unnamed, lt_bvh_traverse_Tree(_e1578.unnamed_1.root, _e1527.w));
                                                             }
-                                                            let _e1580 = phi_2116_;
-                                                            let _e1590 = nodes.member[(0u + _e1461)].y;
-                                                            if (_e1235 < 0f) {
-                                                                let _e1601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1590.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1601.unnamed.root, _e1590.w), _e1601.unnamed_1);
-                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1607.unnamed, lt_bvh_traverse_Tree(_e1590.x, _e1607.unnamed_1.first_primitive));
-                                                                phi_2143_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1613.unnamed, lt_bvh_traverse_Tree(_e1613.unnamed_1.root, _e1590.y));
+                                                            let _e1586 = phi_2122_;
+                                                            let _e1596 = nodes.member[(0u + _e1465)].y;
+                                                            if (_e1239 < 0f) {
+                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1596.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1607.unnamed.root, _e1596.w), _e1607.unnamed_1);
+                                                                let _e1619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1613.unnamed, lt_bvh_traverse_Tree(_e1596.x, _e1613.unnamed_1.first_primitive));
+                                                                phi_2149_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1619.unnamed, lt_bvh_traverse_Tree(_e1619.unnamed_1.root, _e1596.y));
                                                             } else {
-                                                                let _e1629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1590.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1629.unnamed.root, _e1590.y), _e1629.unnamed_1);
-                                                                let _e1641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1635.unnamed, lt_bvh_traverse_Tree(_e1590.z, _e1635.unnamed_1.first_primitive));
-                                                                phi_2143_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1641.unnamed, lt_bvh_traverse_Tree(_e1641.unnamed_1.root, _e1590.w));
+                                                                let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1596.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1635.unnamed.root, _e1596.y), _e1635.unnamed_1);
+                                                                let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1641.unnamed, lt_bvh_traverse_Tree(_e1596.z, _e1641.unnamed_1.first_primitive));
+                                                                phi_2149_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1647.unnamed, lt_bvh_traverse_Tree(_e1647.unnamed_1.root, _e1596.w));
                                                             }
-                                                            let _e1649 = phi_2143_;
-                                                            let _e1659 = nodes.member[(0u + _e1461)].z;
-                                                            if (_e1245 < 0f) {
-                                                                let _e1670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1659.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1670.unnamed.root, _e1659.w), _e1670.unnamed_1);
-                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1676.unnamed, lt_bvh_traverse_Tree(_e1659.x, _e1676.unnamed_1.first_primitive));
-                                                                phi_2170_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1682.unnamed, lt_bvh_traverse_Tree(_e1682.unnamed_1.root, _e1659.y));
+                                                            let _e1655 = phi_2149_;
+                                                            let _e1665 = nodes.member[(0u + _e1465)].z;
+                                                            if (_e1249 < 0f) {
+                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1676.unnamed.root, _e1665.w), _e1676.unnamed_1);
+                                                                let _e1688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1682.unnamed, lt_bvh_traverse_Tree(_e1665.x, _e1682.unnamed_1.first_primitive));
+                                                                phi_2176_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1688.unnamed, lt_bvh_traverse_Tree(_e1688.unnamed_1.root, _e1665.y));
                                                             } else {
-                                                                let _e1698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1659.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1698.unnamed.root, _e1659.y), _e1698.unnamed_1);
-                                                                let _e1710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1704.unnamed, lt_bvh_traverse_Tree(_e1659.z, _e1704.unnamed_1.first_primitive));
-                                                                phi_2170_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1710.unnamed, lt_bvh_traverse_Tree(_e1710.unnamed_1.root, _e1659.w));
+                                                                let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1704.unnamed.root, _e1665.y), _e1704.unnamed_1);
+                                                                let _e1716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1710.unnamed, lt_bvh_traverse_Tree(_e1665.z, _e1710.unnamed_1.first_primitive));
+                                                                phi_2176_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1716.unnamed, lt_bvh_traverse_Tree(_e1716.unnamed_1.root, _e1665.w));
                                                             }
-                                                            let _e1718 = phi_2170_;
-                                                            phi_2176_ = 0u;
-                                                            phi_2179_ = 0u;
+                                                            let _e1724 = phi_2176_;
+                                                            phi_2182_ = 0u;
+                                                            phi_2185_ = 0u;
                                                             loop {
-                                                                let _e1728 = phi_2176_;
-                                                                let _e1730 = phi_2179_;
-                                                                local_6 = _e1730;
-                                                                local_7 = _e1730;
-                                                                local_8 = _e1730;
-                                                                let _e1731 = (_e1728 < 8u);
-                                                                if _e1731 {
-                                                                    let _e1733 = (_e1728 >> bitcast<u32>(2i));
-                                                                    let _e1734 = (_e1728 & 3u);
-                                                                    if (_e1733 == 0u) {
-                                                                        phi_2193_ = _e1580.unnamed.root;
+                                                                let _e1734 = phi_2182_;
+                                                                let _e1736 = phi_2185_;
+                                                                local_6 = _e1736;
+                                                                local_7 = _e1736;
+                                                                local_8 = _e1736;
+                                                                let _e1737 = (_e1734 < 8u);
+                                                                if _e1737 {
+                                                                    let _e1739 = (_e1734 >> bitcast<u32>(2i));
+                                                                    let _e1740 = (_e1734 & 3u);
+                                                                    if (_e1739 == 0u) {
+                                                                        phi_2199_ = _e1586.unnamed.root;
                                                                     } else {
-                                                                        phi_2193_ = _e1580.unnamed.first_primitive;
+                                                                        phi_2199_ = _e1586.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1737 = phi_2193_;
-                                                                    if (_e1733 == 0u) {
-                                                                        phi_2203_ = _e1649.unnamed.root;
+                                                                    let _e1743 = phi_2199_;
+                                                                    if (_e1739 == 0u) {
+                                                                        phi_2209_ = _e1655.unnamed.root;
                                                                     } else {
-                                                                        phi_2203_ = _e1649.unnamed.first_primitive;
+                                                                        phi_2209_ = _e1655.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1746 = phi_2203_;
-                                                                    if (_e1733 == 0u) {
-                                                                        phi_2213_ = _e1718.unnamed.root;
+                                                                    let _e1752 = phi_2209_;
+                                                                    if (_e1739 == 0u) {
+                                                                        phi_2219_ = _e1724.unnamed.root;
                                                                     } else {
-                                                                        phi_2213_ = _e1718.unnamed.first_primitive;
+                                                                        phi_2219_ = _e1724.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1755 = phi_2213_;
-                                                                    let _e1768 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1737 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 - _e1273)), ((f32(((_e1746 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 - _e1274)));
-                                                                    let _e1769 = core_intrinsics_maximum_number_nsz_f32_(_e1768, ((f32(((_e1755 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 - _e1275)));
-                                                                    if (_e1733 == 0u) {
-                                                                        phi_2231_ = _e1580.unnamed_1.root;
+                                                                    let _e1761 = phi_2219_;
+                                                                    let _e1774 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1743 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1499) + (_e1517 - _e1277)), ((f32(((_e1752 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1500) + (_e1518 - _e1278)));
+                                                                    let _e1775 = core_intrinsics_maximum_number_nsz_f32_(_e1774, ((f32(((_e1761 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1501) + (_e1519 - _e1279)));
+                                                                    if (_e1739 == 0u) {
+                                                                        phi_2237_ = _e1586.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2231_ = _e1580.unnamed_1.first_primitive;
+                                                                        phi_2237_ = _e1586.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1772 = phi_2231_;
-                                                                    if (_e1733 == 0u) {
-                                                                        phi_2241_ = _e1649.unnamed_1.root;
+                                                                    let _e1778 = phi_2237_;
+                                                                    if (_e1739 == 0u) {
+                                                                        phi_2247_ = _e1655.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2241_ = _e1649.unnamed_1.first_primitive;
+                                                                        phi_2247_ = _e1655.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1781 = phi_2241_;
-                                                                    if (_e1733 == 0u) {
-                                                                        phi_2251_ = _e1718.unnamed_1.root;
+                                                                    let _e1787 = phi_2247_;
+                                                                    if (_e1739 == 0u) {
+                                                                        phi_2257_ = _e1724.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2251_ = _e1718.unnamed_1.first_primitive;
+                                                                        phi_2257_ = _e1724.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1790 = phi_2251_;
-                                                                    let _e1803 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1772 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 + _e1273)), ((f32(((_e1781 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 + _e1274)));
-                                                                    let _e1804 = core_intrinsics_minimum_number_nsz_f32_(_e1803, ((f32(((_e1790 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 + _e1275)));
-                                                                    if (_e1769 <= _e1804) {
-                                                                        if (_e1769 <= _e146) {
-                                                                            if (_e1804 >= 0f) {
-                                                                                if (_e1733 == 0u) {
-                                                                                    let _e1811 = nodes.member[(0u + _e1461)].links[2u];
-                                                                                    phi_2287_ = _e1811;
+                                                                    let _e1796 = phi_2257_;
+                                                                    let _e1809 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1778 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1499) + (_e1517 + _e1277)), ((f32(((_e1787 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1500) + (_e1518 + _e1278)));
+                                                                    let _e1810 = core_intrinsics_minimum_number_nsz_f32_(_e1809, ((f32(((_e1796 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1501) + (_e1519 + _e1279)));
+                                                                    if (_e1775 <= _e1810) {
+                                                                        if (_e1775 <= _e146) {
+                                                                            if (_e1810 >= 0f) {
+                                                                                if (_e1739 == 0u) {
+                                                                                    let _e1817 = nodes.member[(0u + _e1465)].links[2u];
+                                                                                    phi_2293_ = _e1817;
                                                                                 } else {
-                                                                                    let _e1814 = nodes.member[(0u + _e1461)].links[3u];
-                                                                                    phi_2287_ = _e1814;
+                                                                                    let _e1820 = nodes.member[(0u + _e1465)].links[3u];
+                                                                                    phi_2293_ = _e1820;
                                                                                 }
-                                                                                let _e1816 = phi_2287_;
-                                                                                let _e1821 = ((_e1816 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u);
-                                                                                let _e1822 = (_e1821 & 31u);
-                                                                                if (_e1822 >= 24u) {
-                                                                                    phi_2300_ = (24u + ((_e1822 - 24u) ^ _e1323));
+                                                                                let _e1822 = phi_2293_;
+                                                                                let _e1827 = ((_e1822 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u);
+                                                                                let _e1828 = (_e1827 & 31u);
+                                                                                if (_e1828 >= 24u) {
+                                                                                    phi_2306_ = (24u + ((_e1828 - 24u) ^ _e1327));
                                                                                 } else {
-                                                                                    phi_2300_ = _e1822;
+                                                                                    phi_2306_ = _e1828;
                                                                                 }
-                                                                                let _e1828 = phi_2300_;
-                                                                                phi_2305_ = (_e1730 | ((_e1821 >> bitcast<u32>(5i)) << bitcast<u32>((_e1828 & 31u))));
+                                                                                let _e1834 = phi_2306_;
+                                                                                phi_2311_ = (_e1736 | ((_e1827 >> bitcast<u32>(5i)) << bitcast<u32>((_e1834 & 31u))));
                                                                             } else {
-                                                                                phi_2305_ = _e1730;
+                                                                                phi_2311_ = _e1736;
                                                                             }
-                                                                            let _e1836 = phi_2305_;
-                                                                            phi_2306_ = _e1836;
+                                                                            let _e1842 = phi_2311_;
+                                                                            phi_2312_ = _e1842;
                                                                         } else {
-                                                                            phi_2306_ = _e1730;
+                                                                            phi_2312_ = _e1736;
                                                                         }
-                                                                        let _e1838 = phi_2306_;
-                                                                        phi_2307_ = _e1838;
+                                                                        let _e1844 = phi_2312_;
+                                                                        phi_2313_ = _e1844;
                                                                     } else {
-                                                                        phi_2307_ = _e1730;
+                                                                        phi_2313_ = _e1736;
                                                                     }
-                                                                    let _e1840 = phi_2307_;
-                                                                    phi_2177_ = (_e1728 + 1u);
-                                                                    phi_2180_ = _e1840;
+                                                                    let _e1846 = phi_2313_;
+                                                                    phi_2183_ = (_e1734 + 1u);
+                                                                    phi_2186_ = _e1846;
                                                                 } else {
-                                                                    phi_2177_ = u32();
-                                                                    phi_2180_ = u32();
+                                                                    phi_2183_ = u32();
+                                                                    phi_2186_ = u32();
                                                                 }
-                                                                let _e1843 = phi_2177_;
-                                                                let _e1845 = phi_2180_;
+                                                                let _e1849 = phi_2183_;
+                                                                let _e1851 = phi_2186_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2176_ = _e1843;
-                                                                    phi_2179_ = _e1845;
-                                                                    break if !(_e1731);
+                                                                    phi_2182_ = _e1849;
+                                                                    phi_2185_ = _e1851;
+                                                                    break if !(_e1737);
                                                                 }
                                                             }
-                                                            let _e1849 = nodes.member[(0u + _e1461)].links[0u];
-                                                            let _e1853 = nodes.member[(0u + _e1461)].frame[3u];
-                                                            let _e1857 = local_6;
-                                                            if ((_e1857 & 4278190080u) == 0u) {
+                                                            let _e1855 = nodes.member[(0u + _e1465)].links[0u];
+                                                            let _e1859 = nodes.member[(0u + _e1465)].frame[3u];
+                                                            let _e1863 = local_6;
+                                                            if ((_e1863 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1861 = local_1.group_mask;
-                                                                if ((_e1861 & 4278190080u) == 0u) {
+                                                                let _e1867 = local_1.group_mask;
+                                                                if ((_e1867 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1865 = local_1.len;
-                                                                    if (_e1865 < 32u) {
-                                                                        let _e1868 = local_1.group;
-                                                                        let _e1870 = local_1.len;
-                                                                        if (_e1870 < 32u) {
+                                                                    let _e1871 = local_1.len;
+                                                                    if (_e1871 < 32u) {
+                                                                        let _e1874 = local_1.group;
+                                                                        let _e1876 = local_1.len;
+                                                                        if (_e1876 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1870)] = _e1868;
-                                                                        let _e1876 = local_1.group_mask;
-                                                                        let _e1878 = local_1.len;
-                                                                        if (_e1878 < 32u) {
+                                                                        local_1.first[(0u + _e1876)] = _e1874;
+                                                                        let _e1882 = local_1.group_mask;
+                                                                        let _e1884 = local_1.len;
+                                                                        if (_e1884 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1878)] = _e1876;
-                                                                        let _e1885 = local_1.len;
-                                                                        local_1.len = (_e1885 + 1u);
+                                                                        local_1.mask[(0u + _e1884)] = _e1882;
+                                                                        let _e1891 = local_1.len;
+                                                                        local_1.len = (_e1891 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1085 + _e1849);
-                                                                let _e1889 = local_7;
-                                                                local_1.group_mask = ((_e1889 & 4278190080u) | (_e1853 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1089 + _e1855);
+                                                                let _e1895 = local_7;
+                                                                local_1.group_mask = ((_e1895 & 4278190080u) | (_e1859 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1894 = local_8;
-                                                            phi_2365_ = (_e1894 & 16777215u);
+                                                            let _e1900 = local_8;
+                                                            phi_2371_ = (_e1900 & 16777215u);
+                                                            phi_2374_ = _e1467;
                                                             loop {
-                                                                let _e1897 = phi_2365_;
-                                                                let _e1898 = (_e1897 == 0u);
-                                                                local_9 = _e1898;
-                                                                local_15 = _e1898;
-                                                                if _e1898 {
-                                                                    phi_2366_ = u32();
-                                                                    phi_3173_ = false;
-                                                                    phi_3174_ = false;
-                                                                    phi_3175_ = false;
+                                                                let _e1903 = phi_2371_;
+                                                                let _e1905 = phi_2374_;
+                                                                local_13 = _e1905;
+                                                                let _e1906 = (_e1903 == 0u);
+                                                                local_9 = _e1906;
+                                                                local_15 = _e1906;
+                                                                if _e1906 {
+                                                                    phi_2372_ = u32();
+                                                                    phi_2375_ = bool();
+                                                                    phi_3178_ = bool();
+                                                                    phi_3179_ = false;
                                                                 } else {
-                                                                    let _e1901 = nodes.member[(0u + _e1461)].links[1u];
-                                                                    let _e1906 = ((_e1087 + _e1901) + select(firstTrailingBit(_e1897), 32u, (_e1897 == 0u)));
-                                                                    if (_e1906 < _e80) {
+                                                                    let _e1909 = nodes.member[(0u + _e1465)].links[1u];
+                                                                    let _e1914 = ((_e1091 + _e1909) + select(firstTrailingBit(_e1903), 32u, (_e1903 == 0u)));
+                                                                    if (_e1914 < _e80) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1913 = triangles.member[(0u + _e1906)].v0_;
-                                                                    let _e1915 = (_e1913.x - _e1016);
-                                                                    let _e1917 = (_e1913.y - _e1029);
-                                                                    let _e1919 = (_e1913.z - _e1042);
-                                                                    if (_e1296 == 0u) {
-                                                                        phi_2411_ = vec3<f32>(_e1917, _e1919, _e1915);
+                                                                    let _e1921 = triangles.member[(0u + _e1914)].v0_;
+                                                                    let _e1923 = (_e1921.x - _e1020);
+                                                                    let _e1925 = (_e1921.y - _e1033);
+                                                                    let _e1927 = (_e1921.z - _e1046);
+                                                                    if (_e1300 == 0u) {
+                                                                        phi_2419_ = vec3<f32>(_e1925, _e1927, _e1923);
                                                                     } else {
-                                                                        if (_e1296 == 1u) {
-                                                                            phi_2410_ = vec3<f32>(_e1919, _e1915, _e1917);
+                                                                        if (_e1300 == 1u) {
+                                                                            phi_2418_ = vec3<f32>(_e1927, _e1923, _e1925);
                                                                         } else {
-                                                                            phi_2410_ = (_e1913 - vec3<f32>(_e1016, _e1029, _e1042));
+                                                                            phi_2418_ = (_e1921 - vec3<f32>(_e1020, _e1033, _e1046));
                                                                         }
-                                                                        let _e1927 = phi_2410_;
-                                                                        phi_2411_ = _e1927;
+                                                                        let _e1935 = phi_2418_;
+                                                                        phi_2419_ = _e1935;
                                                                     }
-                                                                    let _e1929 = phi_2411_;
-                                                                    let _e1933 = (_e1929.x - (_e1307 * _e1929.z));
-                                                                    let _e1937 = (_e1929.y - (_e1310 * _e1929.z));
-                                                                    let _e1939 = triangles.member[(0u + _e1906)].v1_;
-                                                                    let _e1941 = (_e1939.x - _e1016);
-                                                                    let _e1943 = (_e1939.y - _e1029);
-                                                                    let _e1945 = (_e1939.z - _e1042);
-                                                                    if (_e1296 == 0u) {
-                                                                        phi_2441_ = vec3<f32>(_e1943, _e1945, _e1941);
+                                                                    let _e1937 = phi_2419_;
+                                                                    let _e1941 = (_e1937.x - (_e1311 * _e1937.z));
+                                                                    let _e1945 = (_e1937.y - (_e1314 * _e1937.z));
+                                                                    let _e1947 = triangles.member[(0u + _e1914)].v1_;
+                                                                    let _e1949 = (_e1947.x - _e1020);
+                                                                    let _e1951 = (_e1947.y - _e1033);
+                                                                    let _e1953 = (_e1947.z - _e1046);
+                                                                    if (_e1300 == 0u) {
+                                                                        phi_2449_ = vec3<f32>(_e1951, _e1953, _e1949);
                                                                     } else {
-                                                                        if (_e1296 == 1u) {
-                                                                            phi_2440_ = vec3<f32>(_e1945, _e1941, _e1943);
+                                                                        if (_e1300 == 1u) {
+                                                                            phi_2448_ = vec3<f32>(_e1953, _e1949, _e1951);
                                                                         } else {
-                                                                            phi_2440_ = (_e1939 - vec3<f32>(_e1016, _e1029, _e1042));
+                                                                            phi_2448_ = (_e1947 - vec3<f32>(_e1020, _e1033, _e1046));
                                                                         }
-                                                                        let _e1953 = phi_2440_;
-                                                                        phi_2441_ = _e1953;
+                                                                        let _e1961 = phi_2448_;
+                                                                        phi_2449_ = _e1961;
                                                                     }
-                                                                    let _e1955 = phi_2441_;
-                                                                    let _e1959 = (_e1955.x - (_e1307 * _e1955.z));
-                                                                    let _e1963 = (_e1955.y - (_e1310 * _e1955.z));
-                                                                    let _e1965 = triangles.member[(0u + _e1906)].v2_;
-                                                                    let _e1967 = (_e1965.x - _e1016);
-                                                                    let _e1969 = (_e1965.y - _e1029);
-                                                                    let _e1971 = (_e1965.z - _e1042);
-                                                                    if (_e1296 == 0u) {
-                                                                        phi_2471_ = vec3<f32>(_e1969, _e1971, _e1967);
+                                                                    let _e1963 = phi_2449_;
+                                                                    let _e1967 = (_e1963.x - (_e1311 * _e1963.z));
+                                                                    let _e1971 = (_e1963.y - (_e1314 * _e1963.z));
+                                                                    let _e1973 = triangles.member[(0u + _e1914)].v2_;
+                                                                    let _e1975 = (_e1973.x - _e1020);
+                                                                    let _e1977 = (_e1973.y - _e1033);
+                                                                    let _e1979 = (_e1973.z - _e1046);
+                                                                    if (_e1300 == 0u) {
+                                                                        phi_2479_ = vec3<f32>(_e1977, _e1979, _e1975);
                                                                     } else {
-                                                                        if (_e1296 == 1u) {
-                                                                            phi_2470_ = vec3<f32>(_e1971, _e1967, _e1969);
+                                                                        if (_e1300 == 1u) {
+                                                                            phi_2478_ = vec3<f32>(_e1979, _e1975, _e1977);
                                                                         } else {
-                                                                            phi_2470_ = (_e1965 - vec3<f32>(_e1016, _e1029, _e1042));
+                                                                            phi_2478_ = (_e1973 - vec3<f32>(_e1020, _e1033, _e1046));
                                                                         }
-                                                                        let _e1979 = phi_2470_;
-                                                                        phi_2471_ = _e1979;
+                                                                        let _e1987 = phi_2478_;
+                                                                        phi_2479_ = _e1987;
                                                                     }
-                                                                    let _e1981 = phi_2471_;
-                                                                    let _e1985 = (_e1981.x - (_e1307 * _e1981.z));
-                                                                    let _e1989 = (_e1981.y - (_e1310 * _e1981.z));
-                                                                    if (_e1959 < _e1985) {
-                                                                        phi_2490_ = true;
+                                                                    let _e1989 = phi_2479_;
+                                                                    let _e1993 = (_e1989.x - (_e1311 * _e1989.z));
+                                                                    let _e1997 = (_e1989.y - (_e1314 * _e1989.z));
+                                                                    if (_e1967 < _e1993) {
+                                                                        phi_2498_ = true;
                                                                     } else {
-                                                                        if (_e1959 == _e1985) {
-                                                                            phi_2489_ = (_e1963 < _e1989);
+                                                                        if (_e1967 == _e1993) {
+                                                                            phi_2497_ = (_e1971 < _e1997);
                                                                         } else {
-                                                                            phi_2489_ = false;
+                                                                            phi_2497_ = false;
                                                                         }
-                                                                        let _e1994 = phi_2489_;
-                                                                        phi_2490_ = _e1994;
+                                                                        let _e2002 = phi_2497_;
+                                                                        phi_2498_ = _e2002;
                                                                     }
-                                                                    let _e1996 = phi_2490_;
-                                                                    if _e1996 {
-                                                                        phi_2494_ = _e1989;
-                                                                        phi_2495_ = _e1985;
-                                                                        phi_2496_ = _e1963;
-                                                                        phi_2497_ = _e1959;
+                                                                    let _e2004 = phi_2498_;
+                                                                    if _e2004 {
+                                                                        phi_2502_ = _e1997;
+                                                                        phi_2503_ = _e1993;
+                                                                        phi_2504_ = _e1971;
+                                                                        phi_2505_ = _e1967;
                                                                     } else {
-                                                                        phi_2494_ = _e1963;
-                                                                        phi_2495_ = _e1959;
-                                                                        phi_2496_ = _e1989;
-                                                                        phi_2497_ = _e1985;
+                                                                        phi_2502_ = _e1971;
+                                                                        phi_2503_ = _e1967;
+                                                                        phi_2504_ = _e1997;
+                                                                        phi_2505_ = _e1993;
                                                                     }
-                                                                    let _e1998 = phi_2494_;
-                                                                    let _e2000 = phi_2495_;
-                                                                    let _e2002 = phi_2496_;
-                                                                    let _e2004 = phi_2497_;
-                                                                    let _e2007 = ((_e2004 * _e1998) - (_e2002 * _e2000));
-                                                                    if _e1996 {
-                                                                        phi_2505_ = -(_e2007);
+                                                                    let _e2006 = phi_2502_;
+                                                                    let _e2008 = phi_2503_;
+                                                                    let _e2010 = phi_2504_;
+                                                                    let _e2012 = phi_2505_;
+                                                                    let _e2015 = ((_e2012 * _e2006) - (_e2010 * _e2008));
+                                                                    if _e2004 {
+                                                                        phi_2513_ = -(_e2015);
                                                                     } else {
-                                                                        phi_2505_ = _e2007;
+                                                                        phi_2513_ = _e2015;
                                                                     }
-                                                                    let _e2010 = phi_2505_;
-                                                                    if (_e1985 < _e1933) {
-                                                                        phi_2516_ = true;
+                                                                    let _e2018 = phi_2513_;
+                                                                    if (_e1993 < _e1941) {
+                                                                        phi_2524_ = true;
                                                                     } else {
-                                                                        if (_e1985 == _e1933) {
-                                                                            phi_2515_ = (_e1989 < _e1937);
+                                                                        if (_e1993 == _e1941) {
+                                                                            phi_2523_ = (_e1997 < _e1945);
                                                                         } else {
-                                                                            phi_2515_ = false;
+                                                                            phi_2523_ = false;
                                                                         }
-                                                                        let _e2015 = phi_2515_;
-                                                                        phi_2516_ = _e2015;
+                                                                        let _e2023 = phi_2523_;
+                                                                        phi_2524_ = _e2023;
                                                                     }
-                                                                    let _e2017 = phi_2516_;
-                                                                    if _e2017 {
-                                                                        phi_2520_ = _e1937;
-                                                                        phi_2521_ = _e1933;
-                                                                        phi_2522_ = _e1989;
-                                                                        phi_2523_ = _e1985;
+                                                                    let _e2025 = phi_2524_;
+                                                                    if _e2025 {
+                                                                        phi_2528_ = _e1945;
+                                                                        phi_2529_ = _e1941;
+                                                                        phi_2530_ = _e1997;
+                                                                        phi_2531_ = _e1993;
                                                                     } else {
-                                                                        phi_2520_ = _e1989;
-                                                                        phi_2521_ = _e1985;
-                                                                        phi_2522_ = _e1937;
-                                                                        phi_2523_ = _e1933;
+                                                                        phi_2528_ = _e1997;
+                                                                        phi_2529_ = _e1993;
+                                                                        phi_2530_ = _e1945;
+                                                                        phi_2531_ = _e1941;
                                                                     }
-                                                                    let _e2019 = phi_2520_;
-                                                                    let _e2021 = phi_2521_;
-                                                                    let _e2023 = phi_2522_;
-                                                                    let _e2025 = phi_2523_;
-                                                                    let _e2028 = ((_e2025 * _e2019) - (_e2023 * _e2021));
-                                                                    if _e2017 {
-                                                                        phi_2531_ = -(_e2028);
+                                                                    let _e2027 = phi_2528_;
+                                                                    let _e2029 = phi_2529_;
+                                                                    let _e2031 = phi_2530_;
+                                                                    let _e2033 = phi_2531_;
+                                                                    let _e2036 = ((_e2033 * _e2027) - (_e2031 * _e2029));
+                                                                    if _e2025 {
+                                                                        phi_2539_ = -(_e2036);
                                                                     } else {
-                                                                        phi_2531_ = _e2028;
+                                                                        phi_2539_ = _e2036;
                                                                     }
-                                                                    let _e2031 = phi_2531_;
-                                                                    if (_e1933 < _e1959) {
-                                                                        phi_2542_ = true;
+                                                                    let _e2039 = phi_2539_;
+                                                                    if (_e1941 < _e1967) {
+                                                                        phi_2550_ = true;
                                                                     } else {
-                                                                        if (_e1933 == _e1959) {
-                                                                            phi_2541_ = (_e1937 < _e1963);
+                                                                        if (_e1941 == _e1967) {
+                                                                            phi_2549_ = (_e1945 < _e1971);
                                                                         } else {
-                                                                            phi_2541_ = false;
+                                                                            phi_2549_ = false;
                                                                         }
-                                                                        let _e2036 = phi_2541_;
-                                                                        phi_2542_ = _e2036;
+                                                                        let _e2044 = phi_2549_;
+                                                                        phi_2550_ = _e2044;
                                                                     }
-                                                                    let _e2038 = phi_2542_;
-                                                                    if _e2038 {
-                                                                        phi_2546_ = _e1963;
-                                                                        phi_2547_ = _e1959;
-                                                                        phi_2548_ = _e1937;
-                                                                        phi_2549_ = _e1933;
+                                                                    let _e2046 = phi_2550_;
+                                                                    if _e2046 {
+                                                                        phi_2554_ = _e1971;
+                                                                        phi_2555_ = _e1967;
+                                                                        phi_2556_ = _e1945;
+                                                                        phi_2557_ = _e1941;
                                                                     } else {
-                                                                        phi_2546_ = _e1937;
-                                                                        phi_2547_ = _e1933;
-                                                                        phi_2548_ = _e1963;
-                                                                        phi_2549_ = _e1959;
+                                                                        phi_2554_ = _e1945;
+                                                                        phi_2555_ = _e1941;
+                                                                        phi_2556_ = _e1971;
+                                                                        phi_2557_ = _e1967;
                                                                     }
-                                                                    let _e2040 = phi_2546_;
-                                                                    let _e2042 = phi_2547_;
-                                                                    let _e2044 = phi_2548_;
-                                                                    let _e2046 = phi_2549_;
-                                                                    let _e2049 = ((_e2046 * _e2040) - (_e2044 * _e2042));
-                                                                    if _e2038 {
-                                                                        phi_2557_ = -(_e2049);
+                                                                    let _e2048 = phi_2554_;
+                                                                    let _e2050 = phi_2555_;
+                                                                    let _e2052 = phi_2556_;
+                                                                    let _e2054 = phi_2557_;
+                                                                    let _e2057 = ((_e2054 * _e2048) - (_e2052 * _e2050));
+                                                                    if _e2046 {
+                                                                        phi_2565_ = -(_e2057);
                                                                     } else {
-                                                                        phi_2557_ = _e2049;
+                                                                        phi_2565_ = _e2057;
                                                                     }
-                                                                    let _e2052 = phi_2557_;
-                                                                    if (_e2010 >= 0f) {
-                                                                        if (_e2031 >= 0f) {
-                                                                            if (_e2052 >= 0f) {
-                                                                                phi_2572_ = ((_e2010 + _e2031) + _e2052);
-                                                                                phi_2573_ = false;
+                                                                    let _e2060 = phi_2565_;
+                                                                    if (_e2018 >= 0f) {
+                                                                        if (_e2039 >= 0f) {
+                                                                            if (_e2060 >= 0f) {
+                                                                                phi_2580_ = ((_e2018 + _e2039) + _e2060);
+                                                                                phi_2581_ = false;
                                                                             } else {
-                                                                                phi_2572_ = f32();
-                                                                                phi_2573_ = true;
+                                                                                phi_2580_ = f32();
+                                                                                phi_2581_ = true;
                                                                             }
-                                                                            let _e2059 = phi_2572_;
-                                                                            let _e2061 = phi_2573_;
-                                                                            phi_2574_ = _e2059;
-                                                                            phi_2575_ = _e2061;
+                                                                            let _e2067 = phi_2580_;
+                                                                            let _e2069 = phi_2581_;
+                                                                            phi_2582_ = _e2067;
+                                                                            phi_2583_ = _e2069;
                                                                         } else {
-                                                                            phi_2574_ = f32();
-                                                                            phi_2575_ = true;
+                                                                            phi_2582_ = f32();
+                                                                            phi_2583_ = true;
                                                                         }
-                                                                        let _e2063 = phi_2574_;
-                                                                        let _e2065 = phi_2575_;
-                                                                        phi_2576_ = _e2063;
-                                                                        phi_2577_ = _e2065;
+                                                                        let _e2071 = phi_2582_;
+                                                                        let _e2073 = phi_2583_;
+                                                                        phi_2584_ = _e2071;
+                                                                        phi_2585_ = _e2073;
                                                                     } else {
-                                                                        phi_2576_ = f32();
-                                                                        phi_2577_ = true;
+                                                                        phi_2584_ = f32();
+                                                                        phi_2585_ = true;
                                                                     }
-                                                                    let _e2067 = phi_2576_;
-                                                                    let _e2069 = phi_2577_;
-                                                                    if _e2069 {
-                                                                        if (_e2010 <= 0f) {
-                                                                            if (_e2031 <= 0f) {
-                                                                                let _e2072 = (_e2052 <= 0f);
-                                                                                if _e2072 {
+                                                                    let _e2075 = phi_2584_;
+                                                                    let _e2077 = phi_2585_;
+                                                                    if _e2077 {
+                                                                        if (_e2018 <= 0f) {
+                                                                            if (_e2039 <= 0f) {
+                                                                                let _e2080 = (_e2060 <= 0f);
+                                                                                if _e2080 {
                                                                                 }
-                                                                                phi_2595_ = ((_e2010 + _e2031) + _e2052);
-                                                                                phi_2596_ = false;
-                                                                                phi_2597_ = _e2072;
+                                                                                phi_2603_ = ((_e2018 + _e2039) + _e2060);
+                                                                                phi_2604_ = false;
+                                                                                phi_2605_ = _e2080;
                                                                             } else {
-                                                                                phi_2595_ = f32();
-                                                                                phi_2596_ = true;
-                                                                                phi_2597_ = false;
+                                                                                phi_2603_ = f32();
+                                                                                phi_2604_ = true;
+                                                                                phi_2605_ = false;
                                                                             }
-                                                                            let _e2076 = phi_2595_;
-                                                                            let _e2078 = phi_2596_;
-                                                                            let _e2080 = phi_2597_;
-                                                                            phi_2598_ = _e2076;
-                                                                            phi_2599_ = _e2078;
-                                                                            phi_2600_ = _e2080;
+                                                                            let _e2084 = phi_2603_;
+                                                                            let _e2086 = phi_2604_;
+                                                                            let _e2088 = phi_2605_;
+                                                                            phi_2606_ = _e2084;
+                                                                            phi_2607_ = _e2086;
+                                                                            phi_2608_ = _e2088;
                                                                         } else {
-                                                                            phi_2598_ = f32();
-                                                                            phi_2599_ = true;
-                                                                            phi_2600_ = false;
+                                                                            phi_2606_ = f32();
+                                                                            phi_2607_ = true;
+                                                                            phi_2608_ = false;
                                                                         }
-                                                                        let _e2082 = phi_2598_;
-                                                                        let _e2084 = phi_2599_;
-                                                                        let _e2086 = phi_2600_;
-                                                                        if _e2084 {
-                                                                            phi_2604_ = false;
+                                                                        let _e2090 = phi_2606_;
+                                                                        let _e2092 = phi_2607_;
+                                                                        let _e2094 = phi_2608_;
+                                                                        if _e2092 {
+                                                                            phi_2612_ = false;
                                                                         } else {
-                                                                            phi_2604_ = _e2086;
+                                                                            phi_2612_ = _e2094;
                                                                         }
-                                                                        let _e2088 = phi_2604_;
-                                                                        phi_2605_ = _e2082;
-                                                                        phi_2606_ = _e2088;
+                                                                        let _e2096 = phi_2612_;
+                                                                        phi_2613_ = _e2090;
+                                                                        phi_2614_ = _e2096;
                                                                     } else {
-                                                                        phi_2605_ = _e2067;
-                                                                        phi_2606_ = true;
+                                                                        phi_2613_ = _e2075;
+                                                                        phi_2614_ = true;
                                                                     }
-                                                                    let _e2090 = phi_2605_;
-                                                                    let _e2092 = phi_2606_;
-                                                                    if _e2092 {
-                                                                        let _e2093 = (_e2090 == 0f);
-                                                                        if _e2093 {
-                                                                            phi_2922_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2923_ = false;
+                                                                    let _e2098 = phi_2613_;
+                                                                    let _e2100 = phi_2614_;
+                                                                    if _e2100 {
+                                                                        let _e2101 = (_e2098 == 0f);
+                                                                        if _e2101 {
+                                                                            phi_2930_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2931_ = false;
                                                                         } else {
-                                                                            let _e2095 = triangles.member[(0u + _e1906)].v0_;
-                                                                            let _e2097 = (_e2095.x - _e1016);
-                                                                            let _e2099 = (_e2095.y - _e1029);
-                                                                            let _e2101 = (_e2095.z - _e1042);
-                                                                            if (_e1296 == 0u) {
-                                                                                phi_2635_ = vec3<f32>(_e2099, _e2101, _e2097);
+                                                                            let _e2103 = triangles.member[(0u + _e1914)].v0_;
+                                                                            let _e2105 = (_e2103.x - _e1020);
+                                                                            let _e2107 = (_e2103.y - _e1033);
+                                                                            let _e2109 = (_e2103.z - _e1046);
+                                                                            if (_e1300 == 0u) {
+                                                                                phi_2643_ = vec3<f32>(_e2107, _e2109, _e2105);
                                                                             } else {
-                                                                                if (_e1296 == 1u) {
-                                                                                    phi_2634_ = vec3<f32>(_e2101, _e2097, _e2099);
+                                                                                if (_e1300 == 1u) {
+                                                                                    phi_2642_ = vec3<f32>(_e2109, _e2105, _e2107);
                                                                                 } else {
-                                                                                    phi_2634_ = (_e2095 - vec3<f32>(_e1016, _e1029, _e1042));
+                                                                                    phi_2642_ = (_e2103 - vec3<f32>(_e1020, _e1033, _e1046));
                                                                                 }
-                                                                                let _e2109 = phi_2634_;
-                                                                                phi_2635_ = _e2109;
+                                                                                let _e2117 = phi_2642_;
+                                                                                phi_2643_ = _e2117;
                                                                             }
-                                                                            let _e2111 = phi_2635_;
-                                                                            let _e2113 = triangles.member[(0u + _e1906)].v1_;
-                                                                            let _e2115 = triangles.member[(0u + _e1906)].v0_;
-                                                                            let _e2118 = (_e2113.x - _e2115.x);
-                                                                            let _e2121 = (_e2113.y - _e2115.y);
-                                                                            let _e2124 = (_e2113.z - _e2115.z);
-                                                                            if (_e1296 == 0u) {
-                                                                                phi_2661_ = vec3<f32>(_e2121, _e2124, _e2118);
+                                                                            let _e2119 = phi_2643_;
+                                                                            let _e2121 = triangles.member[(0u + _e1914)].v1_;
+                                                                            let _e2123 = triangles.member[(0u + _e1914)].v0_;
+                                                                            let _e2126 = (_e2121.x - _e2123.x);
+                                                                            let _e2129 = (_e2121.y - _e2123.y);
+                                                                            let _e2132 = (_e2121.z - _e2123.z);
+                                                                            if (_e1300 == 0u) {
+                                                                                phi_2669_ = vec3<f32>(_e2129, _e2132, _e2126);
                                                                             } else {
-                                                                                if (_e1296 == 1u) {
-                                                                                    phi_2660_ = vec3<f32>(_e2124, _e2118, _e2121);
+                                                                                if (_e1300 == 1u) {
+                                                                                    phi_2668_ = vec3<f32>(_e2132, _e2126, _e2129);
                                                                                 } else {
-                                                                                    phi_2660_ = (_e2113 - _e2115);
+                                                                                    phi_2668_ = (_e2121 - _e2123);
                                                                                 }
-                                                                                let _e2131 = phi_2660_;
-                                                                                phi_2661_ = _e2131;
+                                                                                let _e2139 = phi_2668_;
+                                                                                phi_2669_ = _e2139;
                                                                             }
-                                                                            let _e2133 = phi_2661_;
-                                                                            let _e2135 = triangles.member[(0u + _e1906)].v2_;
-                                                                            let _e2137 = triangles.member[(0u + _e1906)].v0_;
-                                                                            let _e2140 = (_e2135.x - _e2137.x);
-                                                                            let _e2143 = (_e2135.y - _e2137.y);
-                                                                            let _e2146 = (_e2135.z - _e2137.z);
-                                                                            if (_e1296 == 0u) {
-                                                                                phi_2687_ = vec3<f32>(_e2143, _e2146, _e2140);
+                                                                            let _e2141 = phi_2669_;
+                                                                            let _e2143 = triangles.member[(0u + _e1914)].v2_;
+                                                                            let _e2145 = triangles.member[(0u + _e1914)].v0_;
+                                                                            let _e2148 = (_e2143.x - _e2145.x);
+                                                                            let _e2151 = (_e2143.y - _e2145.y);
+                                                                            let _e2154 = (_e2143.z - _e2145.z);
+                                                                            if (_e1300 == 0u) {
+                                                                                phi_2695_ = vec3<f32>(_e2151, _e2154, _e2148);
                                                                             } else {
-                                                                                if (_e1296 == 1u) {
-                                                                                    phi_2686_ = vec3<f32>(_e2146, _e2140, _e2143);
+                                                                                if (_e1300 == 1u) {
+                                                                                    phi_2694_ = vec3<f32>(_e2154, _e2148, _e2151);
                                                                                 } else {
-                                                                                    phi_2686_ = (_e2135 - _e2137);
+                                                                                    phi_2694_ = (_e2143 - _e2145);
                                                                                 }
-                                                                                let _e2153 = phi_2686_;
-                                                                                phi_2687_ = _e2153;
+                                                                                let _e2161 = phi_2694_;
+                                                                                phi_2695_ = _e2161;
                                                                             }
-                                                                            let _e2155 = phi_2687_;
-                                                                            let _e2162 = ((_e2133.y * _e2155.z) - (_e2133.z * _e2155.y));
-                                                                            let _e2169 = ((_e2133.z * _e2155.x) - (_e2133.x * _e2155.z));
-                                                                            let _e2176 = ((_e2133.x * _e2155.y) - (_e2133.y * _e2155.x));
-                                                                            let _e2190 = (((1f / _e1304.z) * (((_e2162 * _e2111.x) + (_e2169 * _e2111.y)) + (_e2176 * _e2111.z))) / (((_e2162 * _e1307) + (_e2169 * _e1310)) + _e2176));
-                                                                            if (_e2190 > 0f) {
-                                                                                if (_e2190 < _e146) {
-                                                                                    let _e2194 = triangles.member[(0u + _e1906)].v0_;
-                                                                                    let _e2196 = triangles.member[(0u + _e1906)].v1_;
-                                                                                    if (_e2194.x < _e2196.x) {
-                                                                                        phi_2743_ = _e2194.x;
+                                                                            let _e2163 = phi_2695_;
+                                                                            let _e2170 = ((_e2141.y * _e2163.z) - (_e2141.z * _e2163.y));
+                                                                            let _e2177 = ((_e2141.z * _e2163.x) - (_e2141.x * _e2163.z));
+                                                                            let _e2184 = ((_e2141.x * _e2163.y) - (_e2141.y * _e2163.x));
+                                                                            let _e2198 = (((1f / _e1308.z) * (((_e2170 * _e2119.x) + (_e2177 * _e2119.y)) + (_e2184 * _e2119.z))) / (((_e2170 * _e1311) + (_e2177 * _e1314)) + _e2184));
+                                                                            if (_e2198 > 0f) {
+                                                                                if (_e2198 < _e146) {
+                                                                                    let _e2202 = triangles.member[(0u + _e1914)].v0_;
+                                                                                    let _e2204 = triangles.member[(0u + _e1914)].v1_;
+                                                                                    if (_e2202.x < _e2204.x) {
+                                                                                        phi_2751_ = _e2202.x;
                                                                                     } else {
-                                                                                        phi_2743_ = _e2196.x;
+                                                                                        phi_2751_ = _e2204.x;
                                                                                     }
-                                                                                    let _e2203 = phi_2743_;
-                                                                                    if (_e2194.y < _e2196.y) {
-                                                                                        phi_2752_ = _e2194.y;
+                                                                                    let _e2211 = phi_2751_;
+                                                                                    if (_e2202.y < _e2204.y) {
+                                                                                        phi_2760_ = _e2202.y;
                                                                                     } else {
-                                                                                        phi_2752_ = _e2196.y;
+                                                                                        phi_2760_ = _e2204.y;
                                                                                     }
-                                                                                    let _e2210 = phi_2752_;
-                                                                                    if (_e2194.z < _e2196.z) {
-                                                                                        phi_2761_ = _e2194.z;
+                                                                                    let _e2218 = phi_2760_;
+                                                                                    if (_e2202.z < _e2204.z) {
+                                                                                        phi_2769_ = _e2202.z;
                                                                                     } else {
-                                                                                        phi_2761_ = _e2196.z;
+                                                                                        phi_2769_ = _e2204.z;
                                                                                     }
-                                                                                    let _e2217 = phi_2761_;
-                                                                                    let _e2219 = triangles.member[(0u + _e1906)].v2_;
-                                                                                    if (_e2203 < _e2219.x) {
-                                                                                        phi_2770_ = _e2203;
+                                                                                    let _e2225 = phi_2769_;
+                                                                                    let _e2227 = triangles.member[(0u + _e1914)].v2_;
+                                                                                    if (_e2211 < _e2227.x) {
+                                                                                        phi_2778_ = _e2211;
                                                                                     } else {
-                                                                                        phi_2770_ = _e2219.x;
+                                                                                        phi_2778_ = _e2227.x;
                                                                                     }
-                                                                                    let _e2224 = phi_2770_;
-                                                                                    if (_e2210 < _e2219.y) {
-                                                                                        phi_2777_ = _e2210;
+                                                                                    let _e2232 = phi_2778_;
+                                                                                    if (_e2218 < _e2227.y) {
+                                                                                        phi_2785_ = _e2218;
                                                                                     } else {
-                                                                                        phi_2777_ = _e2219.y;
+                                                                                        phi_2785_ = _e2227.y;
                                                                                     }
-                                                                                    let _e2229 = phi_2777_;
-                                                                                    if (_e2217 < _e2219.z) {
-                                                                                        phi_2784_ = _e2217;
+                                                                                    let _e2237 = phi_2785_;
+                                                                                    if (_e2225 < _e2227.z) {
+                                                                                        phi_2792_ = _e2225;
                                                                                     } else {
-                                                                                        phi_2784_ = _e2219.z;
+                                                                                        phi_2792_ = _e2227.z;
                                                                                     }
-                                                                                    let _e2234 = phi_2784_;
-                                                                                    let _e2236 = triangles.member[(0u + _e1906)].v0_;
-                                                                                    let _e2238 = triangles.member[(0u + _e1906)].v1_;
-                                                                                    if (_e2236.x > _e2238.x) {
-                                                                                        phi_2797_ = _e2236.x;
+                                                                                    let _e2242 = phi_2792_;
+                                                                                    let _e2244 = triangles.member[(0u + _e1914)].v0_;
+                                                                                    let _e2246 = triangles.member[(0u + _e1914)].v1_;
+                                                                                    if (_e2244.x > _e2246.x) {
+                                                                                        phi_2805_ = _e2244.x;
                                                                                     } else {
-                                                                                        phi_2797_ = _e2238.x;
+                                                                                        phi_2805_ = _e2246.x;
                                                                                     }
-                                                                                    let _e2245 = phi_2797_;
-                                                                                    if (_e2236.y > _e2238.y) {
-                                                                                        phi_2806_ = _e2236.y;
+                                                                                    let _e2253 = phi_2805_;
+                                                                                    if (_e2244.y > _e2246.y) {
+                                                                                        phi_2814_ = _e2244.y;
                                                                                     } else {
-                                                                                        phi_2806_ = _e2238.y;
+                                                                                        phi_2814_ = _e2246.y;
                                                                                     }
-                                                                                    let _e2252 = phi_2806_;
-                                                                                    if (_e2236.z > _e2238.z) {
-                                                                                        phi_2815_ = _e2236.z;
+                                                                                    let _e2260 = phi_2814_;
+                                                                                    if (_e2244.z > _e2246.z) {
+                                                                                        phi_2823_ = _e2244.z;
                                                                                     } else {
-                                                                                        phi_2815_ = _e2238.z;
+                                                                                        phi_2823_ = _e2246.z;
                                                                                     }
-                                                                                    let _e2259 = phi_2815_;
-                                                                                    let _e2261 = triangles.member[(0u + _e1906)].v2_;
-                                                                                    if (_e2245 > _e2261.x) {
-                                                                                        phi_2824_ = _e2245;
+                                                                                    let _e2267 = phi_2823_;
+                                                                                    let _e2269 = triangles.member[(0u + _e1914)].v2_;
+                                                                                    if (_e2253 > _e2269.x) {
+                                                                                        phi_2832_ = _e2253;
                                                                                     } else {
-                                                                                        phi_2824_ = _e2261.x;
+                                                                                        phi_2832_ = _e2269.x;
                                                                                     }
-                                                                                    let _e2266 = phi_2824_;
-                                                                                    if (_e2252 > _e2261.y) {
-                                                                                        phi_2831_ = _e2252;
+                                                                                    let _e2274 = phi_2832_;
+                                                                                    if (_e2260 > _e2269.y) {
+                                                                                        phi_2839_ = _e2260;
                                                                                     } else {
-                                                                                        phi_2831_ = _e2261.y;
+                                                                                        phi_2839_ = _e2269.y;
                                                                                     }
-                                                                                    let _e2271 = phi_2831_;
-                                                                                    if (_e2259 > _e2261.z) {
-                                                                                        phi_2838_ = _e2259;
+                                                                                    let _e2279 = phi_2839_;
+                                                                                    if (_e2267 > _e2269.z) {
+                                                                                        phi_2846_ = _e2267;
                                                                                     } else {
-                                                                                        phi_2838_ = _e2261.z;
+                                                                                        phi_2846_ = _e2269.z;
                                                                                     }
-                                                                                    let _e2276 = phi_2838_;
-                                                                                    let _e2280 = ((_e2224 - _e1016) * _e1225);
-                                                                                    let _e2281 = ((_e2229 - _e1029) * _e1235);
-                                                                                    let _e2282 = ((_e2234 - _e1042) * _e1245);
-                                                                                    let _e2286 = ((_e2266 - _e1016) * _e1225);
-                                                                                    let _e2287 = ((_e2271 - _e1029) * _e1235);
-                                                                                    let _e2288 = ((_e2276 - _e1042) * _e1245);
-                                                                                    if (_e2280 < _e2286) {
-                                                                                        phi_2855_ = _e2280;
+                                                                                    let _e2284 = phi_2846_;
+                                                                                    let _e2288 = ((_e2232 - _e1020) * _e1229);
+                                                                                    let _e2289 = ((_e2237 - _e1033) * _e1239);
+                                                                                    let _e2290 = ((_e2242 - _e1046) * _e1249);
+                                                                                    let _e2294 = ((_e2274 - _e1020) * _e1229);
+                                                                                    let _e2295 = ((_e2279 - _e1033) * _e1239);
+                                                                                    let _e2296 = ((_e2284 - _e1046) * _e1249);
+                                                                                    if (_e2288 < _e2294) {
+                                                                                        phi_2863_ = _e2288;
                                                                                     } else {
-                                                                                        phi_2855_ = _e2286;
+                                                                                        phi_2863_ = _e2294;
                                                                                     }
-                                                                                    let _e2291 = phi_2855_;
-                                                                                    if (_e2281 < _e2287) {
-                                                                                        phi_2860_ = _e2281;
+                                                                                    let _e2299 = phi_2863_;
+                                                                                    if (_e2289 < _e2295) {
+                                                                                        phi_2868_ = _e2289;
                                                                                     } else {
-                                                                                        phi_2860_ = _e2287;
+                                                                                        phi_2868_ = _e2295;
                                                                                     }
-                                                                                    let _e2294 = phi_2860_;
-                                                                                    if (_e2282 < _e2288) {
-                                                                                        phi_2865_ = _e2282;
+                                                                                    let _e2302 = phi_2868_;
+                                                                                    if (_e2290 < _e2296) {
+                                                                                        phi_2873_ = _e2290;
                                                                                     } else {
-                                                                                        phi_2865_ = _e2288;
+                                                                                        phi_2873_ = _e2296;
                                                                                     }
-                                                                                    let _e2297 = phi_2865_;
-                                                                                    if (_e2280 > _e2286) {
-                                                                                        phi_2873_ = _e2280;
+                                                                                    let _e2305 = phi_2873_;
+                                                                                    if (_e2288 > _e2294) {
+                                                                                        phi_2881_ = _e2288;
                                                                                     } else {
-                                                                                        phi_2873_ = _e2286;
+                                                                                        phi_2881_ = _e2294;
                                                                                     }
-                                                                                    let _e2303 = phi_2873_;
-                                                                                    if (_e2281 > _e2287) {
-                                                                                        phi_2878_ = _e2281;
+                                                                                    let _e2311 = phi_2881_;
+                                                                                    if (_e2289 > _e2295) {
+                                                                                        phi_2886_ = _e2289;
                                                                                     } else {
-                                                                                        phi_2878_ = _e2287;
+                                                                                        phi_2886_ = _e2295;
                                                                                     }
-                                                                                    let _e2306 = phi_2878_;
-                                                                                    if (_e2282 > _e2288) {
-                                                                                        phi_2883_ = _e2282;
+                                                                                    let _e2314 = phi_2886_;
+                                                                                    if (_e2290 > _e2296) {
+                                                                                        phi_2891_ = _e2290;
                                                                                     } else {
-                                                                                        phi_2883_ = _e2288;
+                                                                                        phi_2891_ = _e2296;
                                                                                     }
-                                                                                    let _e2309 = phi_2883_;
-                                                                                    let _e2313 = core_intrinsics_maximum_number_nsz_f32_((_e2291 - _e1280), (_e2294 - _e1281));
-                                                                                    let _e2314 = core_intrinsics_maximum_number_nsz_f32_(_e2313, (_e2297 - _e1282));
-                                                                                    let _e2315 = core_intrinsics_minimum_number_nsz_f32_((_e2303 + _e1280), (_e2306 + _e1281));
-                                                                                    let _e2316 = core_intrinsics_minimum_number_nsz_f32_(_e2315, (_e2309 + _e1282));
-                                                                                    if (_e2314 > _e997) {
-                                                                                        phi_2895_ = _e2314;
+                                                                                    let _e2317 = phi_2891_;
+                                                                                    let _e2321 = core_intrinsics_maximum_number_nsz_f32_((_e2299 - _e1284), (_e2302 - _e1285));
+                                                                                    let _e2322 = core_intrinsics_maximum_number_nsz_f32_(_e2321, (_e2305 - _e1286));
+                                                                                    let _e2323 = core_intrinsics_minimum_number_nsz_f32_((_e2311 + _e1284), (_e2314 + _e1285));
+                                                                                    let _e2324 = core_intrinsics_minimum_number_nsz_f32_(_e2323, (_e2317 + _e1286));
+                                                                                    if (_e2322 > _e1001) {
+                                                                                        phi_2903_ = _e2322;
                                                                                     } else {
-                                                                                        phi_2895_ = _e997;
+                                                                                        phi_2903_ = _e1001;
                                                                                     }
-                                                                                    let _e2319 = phi_2895_;
-                                                                                    if (_e2316 < _e999) {
-                                                                                        phi_2900_ = _e2316;
+                                                                                    let _e2327 = phi_2903_;
+                                                                                    if (_e2324 < _e1003) {
+                                                                                        phi_2908_ = _e2324;
                                                                                     } else {
-                                                                                        phi_2900_ = _e999;
+                                                                                        phi_2908_ = _e1003;
                                                                                     }
-                                                                                    let _e2322 = phi_2900_;
-                                                                                    if (_e2190 < _e2319) {
-                                                                                        phi_2905_ = _e2319;
+                                                                                    let _e2330 = phi_2908_;
+                                                                                    if (_e2198 < _e2327) {
+                                                                                        phi_2913_ = _e2327;
                                                                                     } else {
-                                                                                        phi_2905_ = _e2190;
+                                                                                        phi_2913_ = _e2198;
                                                                                     }
-                                                                                    let _e2325 = phi_2905_;
-                                                                                    if (_e2325 > _e2322) {
-                                                                                        phi_2910_ = _e2322;
+                                                                                    let _e2333 = phi_2913_;
+                                                                                    if (_e2333 > _e2330) {
+                                                                                        phi_2918_ = _e2330;
                                                                                     } else {
-                                                                                        phi_2910_ = _e2325;
+                                                                                        phi_2918_ = _e2333;
                                                                                     }
-                                                                                    let _e2328 = phi_2910_;
-                                                                                    phi_2915_ = lt_bvh_triangle_Intersection(_e2328, (_e2031 / _e2090), (_e2052 / _e2090), (_e2319 <= _e2322));
-                                                                                    phi_2916_ = false;
+                                                                                    let _e2336 = phi_2918_;
+                                                                                    phi_2923_ = lt_bvh_triangle_Intersection(_e2336, (_e2039 / _e2098), (_e2060 / _e2098), (_e2327 <= _e2330));
+                                                                                    phi_2924_ = false;
                                                                                 } else {
-                                                                                    phi_2915_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2916_ = true;
+                                                                                    phi_2923_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2924_ = true;
                                                                                 }
-                                                                                let _e2334 = phi_2915_;
-                                                                                let _e2336 = phi_2916_;
-                                                                                phi_2917_ = _e2334;
-                                                                                phi_2918_ = _e2336;
+                                                                                let _e2342 = phi_2923_;
+                                                                                let _e2344 = phi_2924_;
+                                                                                phi_2925_ = _e2342;
+                                                                                phi_2926_ = _e2344;
                                                                             } else {
-                                                                                phi_2917_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2918_ = true;
+                                                                                phi_2925_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2926_ = true;
                                                                             }
-                                                                            let _e2338 = phi_2917_;
-                                                                            let _e2340 = phi_2918_;
-                                                                            if _e2340 {
+                                                                            let _e2346 = phi_2925_;
+                                                                            let _e2348 = phi_2926_;
+                                                                            if _e2348 {
                                                                             }
-                                                                            phi_2922_ = _e2338;
-                                                                            phi_2923_ = _e2340;
+                                                                            phi_2930_ = _e2346;
+                                                                            phi_2931_ = _e2348;
                                                                         }
-                                                                        let _e2342 = phi_2922_;
-                                                                        let _e2344 = phi_2923_;
-                                                                        phi_2924_ = _e2342;
-                                                                        phi_2925_ = _e2093;
-                                                                        phi_2926_ = _e2344;
+                                                                        let _e2350 = phi_2930_;
+                                                                        let _e2352 = phi_2931_;
+                                                                        phi_2932_ = _e2350;
+                                                                        phi_2933_ = _e2101;
+                                                                        phi_2934_ = _e2352;
                                                                     } else {
-                                                                        phi_2924_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2925_ = true;
-                                                                        phi_2926_ = false;
+                                                                        phi_2932_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2933_ = true;
+                                                                        phi_2934_ = false;
                                                                     }
-                                                                    let _e2346 = phi_2924_;
-                                                                    let _e2348 = phi_2925_;
-                                                                    let _e2350 = phi_2926_;
-                                                                    if _e2348 {
-                                                                        phi_2930_ = true;
+                                                                    let _e2354 = phi_2932_;
+                                                                    let _e2356 = phi_2933_;
+                                                                    let _e2358 = phi_2934_;
+                                                                    if _e2356 {
+                                                                        phi_2938_ = true;
                                                                     } else {
-                                                                        phi_2930_ = _e2350;
+                                                                        phi_2938_ = _e2358;
                                                                     }
-                                                                    let _e2352 = phi_2930_;
-                                                                    if _e2352 {
-                                                                        phi_2934_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2360 = phi_2938_;
+                                                                    if _e2360 {
+                                                                        phi_2942_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2934_ = _e2346;
+                                                                        phi_2942_ = _e2354;
                                                                     }
-                                                                    let _e2354 = phi_2934_;
-                                                                    if _e2354.is_hit {
-                                                                        if (_e2354.t > 0f) {
-                                                                            if (_e2354.t < _e146) {
-                                                                                let _e2361 = triangles.member[(0u + _e1906)].i0_;
-                                                                                let _e2363 = ((_e2361 & 2147483648u) == 0u);
-                                                                                if _e2363 {
-                                                                                    phi_3157_ = false;
-                                                                                    phi_3158_ = false;
+                                                                    let _e2362 = phi_2942_;
+                                                                    if _e2362.is_hit {
+                                                                        if (_e2362.t > 0f) {
+                                                                            if (_e2362.t < _e146) {
+                                                                                let _e2369 = triangles.member[(0u + _e1914)].i0_;
+                                                                                if ((_e2369 & 2147483648u) == 0u) {
+                                                                                    phi_3161_ = true;
                                                                                 } else {
-                                                                                    if (_e1906 < _e80) {
+                                                                                    if (_e1914 < _e80) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2370 = triangles.member[(0u + _e1906)].i0_;
-                                                                                    let _e2371 = (_e2370 & 2147483647u);
-                                                                                    let _e2373 = triangles.member[(0u + _e1906)].i1_;
-                                                                                    let _e2375 = triangles.member[(0u + _e1906)].i2_;
-                                                                                    if (_e2371 < _e95) {
+                                                                                    let _e2378 = triangles.member[(0u + _e1914)].i0_;
+                                                                                    let _e2379 = (_e2378 & 2147483647u);
+                                                                                    let _e2381 = triangles.member[(0u + _e1914)].i1_;
+                                                                                    let _e2383 = triangles.member[(0u + _e1914)].i2_;
+                                                                                    if (_e2379 < _e95) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2379 = vertices.member[(0u + _e2371)];
-                                                                                    if (_e2373 < _e95) {
+                                                                                    let _e2387 = vertices.member[(0u + _e2379)];
+                                                                                    if (_e2381 < _e95) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2383 = vertices.member[(0u + _e2373)];
-                                                                                    if (_e2375 < _e95) {
+                                                                                    let _e2391 = vertices.member[(0u + _e2381)];
+                                                                                    if (_e2383 < _e95) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2387 = vertices.member[(0u + _e2375)];
-                                                                                    let _e2388 = array<abi_Vertex, 3>(_e2379, _e2383, _e2387);
-                                                                                    if (_e2388[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2395 = vertices.member[(0u + _e2383)];
+                                                                                    let _e2396 = array<abi_Vertex, 3>(_e2387, _e2391, _e2395);
+                                                                                    if (_e2396[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2394 = materials.member[(0u + _e2388[0].material)];
-                                                                                    if ((_e2394.flags & 1u) == 1u) {
-                                                                                        let _e2399 = ((1f - _e2354.u) - _e2354.v);
-                                                                                        if (_e2394.cutoff <= 0f) {
-                                                                                            phi_3151_ = true;
+                                                                                    let _e2402 = materials.member[(0u + _e2396[0].material)];
+                                                                                    if ((_e2402.flags & 1u) == 1u) {
+                                                                                        let _e2407 = ((1f - _e2362.u) - _e2362.v);
+                                                                                        if (_e2402.cutoff <= 0f) {
+                                                                                            phi_3159_ = true;
                                                                                         } else {
-                                                                                            let _e2426 = (_e2394.base_color.w * ((((f32((_e2388[0].color >> bitcast<u32>(24i))) * _e2399) + (f32((_e2388[1].color >> bitcast<u32>(24i))) * _e2354.u)) + (f32((_e2388[2].color >> bitcast<u32>(24i))) * _e2354.v)) * (1f / 255f)));
-                                                                                            if (_e2394.alpha_size == 0u) {
-                                                                                                phi_3148_ = _e2426;
+                                                                                            let _e2434 = (_e2402.base_color.w * ((((f32((_e2396[0].color >> bitcast<u32>(24i))) * _e2407) + (f32((_e2396[1].color >> bitcast<u32>(24i))) * _e2362.u)) + (f32((_e2396[2].color >> bitcast<u32>(24i))) * _e2362.v)) * (1f / 255f)));
+                                                                                            if (_e2402.alpha_size == 0u) {
+                                                                                                phi_3156_ = _e2434;
                                                                                             } else {
-                                                                                                local.offset = _e2394.alpha_offset;
-                                                                                                local.size = _e2394.alpha_size;
-                                                                                                local.flags = _e2394.flags;
-                                                                                                let _e2457 = _lt_shaders_texture_TextureView_quad((&local), (((_e2388[0].u * _e2399) + (_e2388[1].u * _e2354.u)) + (_e2388[2].u * _e2354.v)), (((_e2388[0].v * _e2399) + (_e2388[1].v * _e2354.u)) + (_e2388[2].v * _e2354.v)));
-                                                                                                let _e2461 = (_e2457.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2461 < _e101) {
+                                                                                                local.offset = _e2402.alpha_offset;
+                                                                                                local.size = _e2402.alpha_size;
+                                                                                                local.flags = _e2402.flags;
+                                                                                                let _e2465 = _lt_shaders_texture_TextureView_quad((&local), (((_e2396[0].u * _e2407) + (_e2396[1].u * _e2362.u)) + (_e2396[2].u * _e2362.v)), (((_e2396[0].v * _e2407) + (_e2396[1].v * _e2362.u)) + (_e2396[2].v * _e2362.v)));
+                                                                                                let _e2469 = (_e2465.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2469 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2465 = alpha_texels.member[(0u + _e2461)];
-                                                                                                let _e2481 = (_e2457.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2481 < _e101) {
+                                                                                                let _e2473 = alpha_texels.member[(0u + _e2469)];
+                                                                                                let _e2489 = (_e2465.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2489 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2485 = alpha_texels.member[(0u + _e2481)];
-                                                                                                let _e2502 = (_e2457.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2502 < _e101) {
+                                                                                                let _e2493 = alpha_texels.member[(0u + _e2489)];
+                                                                                                let _e2510 = (_e2465.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2510 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2506 = alpha_texels.member[(0u + _e2502)];
-                                                                                                let _e2523 = (_e2457.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2523 < _e101) {
+                                                                                                let _e2514 = alpha_texels.member[(0u + _e2510)];
+                                                                                                let _e2531 = (_e2465.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2531 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2527 = alpha_texels.member[(0u + _e2523)];
-                                                                                                phi_3148_ = (_e2426 * (((((f32(((_e2465 >> bitcast<u32>((((_e2457.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.x) + ((f32(((_e2485 >> bitcast<u32>((((_e2457.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.y)) + ((f32(((_e2506 >> bitcast<u32>((((_e2457.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.z)) + ((f32(((_e2527 >> bitcast<u32>((((_e2457.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.w)));
+                                                                                                let _e2535 = alpha_texels.member[(0u + _e2531)];
+                                                                                                phi_3156_ = (_e2434 * (((((f32(((_e2473 >> bitcast<u32>((((_e2465.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.x) + ((f32(((_e2493 >> bitcast<u32>((((_e2465.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.y)) + ((f32(((_e2514 >> bitcast<u32>((((_e2465.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.z)) + ((f32(((_e2535 >> bitcast<u32>((((_e2465.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.w)));
                                                                                             }
-                                                                                            let _e2543 = phi_3148_;
-                                                                                            phi_3151_ = (_e2543 >= _e2394.cutoff);
+                                                                                            let _e2551 = phi_3156_;
+                                                                                            phi_3159_ = (_e2551 >= _e2402.cutoff);
                                                                                         }
-                                                                                        let _e2547 = phi_3151_;
-                                                                                        phi_3152_ = _e2547;
+                                                                                        let _e2555 = phi_3159_;
+                                                                                        phi_3160_ = _e2555;
                                                                                     } else {
-                                                                                        phi_3152_ = false;
+                                                                                        phi_3160_ = false;
                                                                                     }
-                                                                                    let _e2549 = phi_3152_;
-                                                                                    if _e2549 {
-                                                                                        phi_3156_ = false;
-                                                                                    } else {
-                                                                                        phi_3156_ = true;
-                                                                                    }
-                                                                                    let _e2551 = phi_3156_;
-                                                                                    phi_3157_ = _e2551;
-                                                                                    phi_3158_ = _e2549;
+                                                                                    let _e2557 = phi_3160_;
+                                                                                    phi_3161_ = _e2557;
                                                                                 }
-                                                                                let _e2553 = phi_3157_;
-                                                                                let _e2555 = phi_3158_;
-                                                                                phi_3159_ = _e2553;
-                                                                                phi_3160_ = _e2363;
-                                                                                phi_3161_ = _e2555;
+                                                                                let _e2559 = phi_3161_;
+                                                                                if _e2559 {
+                                                                                    phi_3165_ = false;
+                                                                                } else {
+                                                                                    phi_3165_ = true;
+                                                                                }
+                                                                                let _e2561 = phi_3165_;
+                                                                                phi_3166_ = _e2559;
+                                                                                phi_3167_ = _e2559;
+                                                                                phi_3168_ = _e2561;
                                                                             } else {
-                                                                                phi_3159_ = true;
-                                                                                phi_3160_ = false;
-                                                                                phi_3161_ = false;
+                                                                                phi_3166_ = bool();
+                                                                                phi_3167_ = _e1905;
+                                                                                phi_3168_ = true;
                                                                             }
-                                                                            let _e2557 = phi_3159_;
-                                                                            let _e2559 = phi_3160_;
-                                                                            let _e2561 = phi_3161_;
-                                                                            phi_3162_ = _e2557;
-                                                                            phi_3163_ = _e2559;
-                                                                            phi_3164_ = _e2561;
+                                                                            let _e2563 = phi_3166_;
+                                                                            let _e2565 = phi_3167_;
+                                                                            let _e2567 = phi_3168_;
+                                                                            phi_3169_ = _e2563;
+                                                                            phi_3170_ = _e2565;
+                                                                            phi_3171_ = _e2567;
                                                                         } else {
-                                                                            phi_3162_ = true;
-                                                                            phi_3163_ = false;
-                                                                            phi_3164_ = false;
+                                                                            phi_3169_ = bool();
+                                                                            phi_3170_ = _e1905;
+                                                                            phi_3171_ = true;
                                                                         }
-                                                                        let _e2563 = phi_3162_;
-                                                                        let _e2565 = phi_3163_;
-                                                                        let _e2567 = phi_3164_;
-                                                                        phi_3165_ = _e2563;
-                                                                        phi_3166_ = _e2565;
-                                                                        phi_3167_ = _e2567;
+                                                                        let _e2569 = phi_3169_;
+                                                                        let _e2571 = phi_3170_;
+                                                                        let _e2573 = phi_3171_;
+                                                                        phi_3172_ = _e2569;
+                                                                        phi_3173_ = _e2571;
+                                                                        phi_3174_ = _e2573;
                                                                     } else {
-                                                                        phi_3165_ = true;
-                                                                        phi_3166_ = false;
-                                                                        phi_3167_ = false;
+                                                                        phi_3172_ = bool();
+                                                                        phi_3173_ = _e1905;
+                                                                        phi_3174_ = true;
                                                                     }
-                                                                    let _e2569 = phi_3165_;
-                                                                    let _e2571 = phi_3166_;
-                                                                    let _e2573 = phi_3167_;
-                                                                    if _e2569 {
-                                                                        phi_3171_ = false;
-                                                                        phi_3172_ = false;
-                                                                    } else {
-                                                                        phi_3171_ = _e2571;
-                                                                        phi_3172_ = _e2573;
+                                                                    let _e2575 = phi_3172_;
+                                                                    let _e2577 = phi_3173_;
+                                                                    let _e2579 = phi_3174_;
+                                                                    if _e2579 {
                                                                     }
-                                                                    let _e2575 = phi_3171_;
-                                                                    let _e2577 = phi_3172_;
-                                                                    phi_2366_ = (_e1897 & (_e1897 - 1u));
-                                                                    phi_3173_ = _e2569;
-                                                                    phi_3174_ = _e2575;
-                                                                    phi_3175_ = _e2577;
+                                                                    phi_2372_ = (_e1903 & (_e1903 - 1u));
+                                                                    phi_2375_ = _e2577;
+                                                                    phi_3178_ = _e2575;
+                                                                    phi_3179_ = _e2579;
                                                                 }
-                                                                let _e2579 = phi_2366_;
-                                                                let _e2581 = phi_3173_;
-                                                                let _e2583 = phi_3174_;
-                                                                let _e2585 = phi_3175_;
-                                                                local_13 = _e2583;
+                                                                let _e2581 = phi_2372_;
+                                                                let _e2583 = phi_2375_;
+                                                                let _e2585 = phi_3178_;
+                                                                let _e2587 = phi_3179_;
                                                                 local_14 = _e2585;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2365_ = _e2579;
-                                                                    break if !(_e2581);
+                                                                    phi_2371_ = _e2581;
+                                                                    phi_2374_ = _e2583;
+                                                                    break if !(_e2587);
                                                                 }
                                                             }
-                                                            let _e2588 = local_9;
-                                                            if _e2588 {
-                                                                let _e2590 = local_1.group_mask;
-                                                                if ((_e2590 & 4278190080u) == 0u) {
-                                                                    let _e2594 = local_1.len;
-                                                                    if (_e2594 == 0u) {
-                                                                        phi_3217_ = false;
+                                                            let _e2590 = local_9;
+                                                            if _e2590 {
+                                                                let _e2592 = local_1.group_mask;
+                                                                if ((_e2592 & 4278190080u) == 0u) {
+                                                                    let _e2596 = local_1.len;
+                                                                    if (_e2596 == 0u) {
+                                                                        phi_3221_ = false;
                                                                     } else {
-                                                                        let _e2598 = local_1.len;
-                                                                        local_1.len = (_e2598 - 1u);
-                                                                        let _e2601 = local_1.len;
-                                                                        if (_e2601 < 32u) {
+                                                                        let _e2600 = local_1.len;
+                                                                        local_1.len = (_e2600 - 1u);
+                                                                        let _e2603 = local_1.len;
+                                                                        if (_e2603 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2606 = local_1.first[(0u + _e2601)];
-                                                                        local_1.group = _e2606;
-                                                                        let _e2609 = local_1.len;
-                                                                        if (_e2609 < 32u) {
+                                                                        let _e2608 = local_1.first[(0u + _e2603)];
+                                                                        local_1.group = _e2608;
+                                                                        let _e2611 = local_1.len;
+                                                                        if (_e2611 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2614 = local_1.mask[(0u + _e2609)];
-                                                                        local_1.group_mask = _e2614;
-                                                                        phi_3217_ = true;
+                                                                        let _e2616 = local_1.mask[(0u + _e2611)];
+                                                                        local_1.group_mask = _e2616;
+                                                                        phi_3221_ = true;
                                                                     }
-                                                                    let _e2617 = phi_3217_;
-                                                                    phi_3218_ = _e2617;
+                                                                    let _e2619 = phi_3221_;
+                                                                    phi_3222_ = _e2619;
                                                                 } else {
-                                                                    phi_3218_ = true;
+                                                                    phi_3222_ = true;
                                                                 }
-                                                                let _e2619 = phi_3218_;
-                                                                if _e2619 {
-                                                                    let _e2621 = local_1.group_mask;
-                                                                    let _e2627 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2621)), 32u, (_e2621 == 0u)));
-                                                                    let _e2631 = local_1.group_mask;
-                                                                    let _e2645 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2645 & ~((1u << bitcast<u32>((_e2627 & 31u)))));
-                                                                    let _e2648 = local_1.group;
-                                                                    phi_3249_ = (_e2648 + countOneBits(((_e2631 & ~((4294967295u << bitcast<u32>((((_e2627 - 24u) ^ _e1323) & 31u))))) & 255u)));
+                                                                let _e2621 = phi_3222_;
+                                                                if _e2621 {
+                                                                    let _e2623 = local_1.group_mask;
+                                                                    let _e2629 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2623)), 32u, (_e2623 == 0u)));
+                                                                    let _e2633 = local_1.group_mask;
+                                                                    let _e2647 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2647 & ~((1u << bitcast<u32>((_e2629 & 31u)))));
+                                                                    let _e2650 = local_1.group;
+                                                                    phi_3253_ = (_e2650 + countOneBits(((_e2633 & ~((4294967295u << bitcast<u32>((((_e2629 - 24u) ^ _e1327) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3249_ = 4294967295u;
+                                                                    phi_3253_ = 4294967295u;
                                                                 }
-                                                                let _e2651 = phi_3249_;
-                                                                phi_3250_ = _e2651;
-                                                                phi_3251_ = false;
-                                                                phi_3252_ = false;
+                                                                let _e2653 = phi_3253_;
+                                                                phi_3254_ = _e2653;
                                                             } else {
-                                                                phi_3250_ = u32();
-                                                                let _e3063 = local_13;
-                                                                phi_3251_ = _e3063;
-                                                                let _e3066 = local_14;
-                                                                phi_3252_ = _e3066;
+                                                                phi_3254_ = u32();
                                                             }
-                                                            let _e2653 = phi_3250_;
-                                                            let _e2655 = phi_3251_;
-                                                            let _e2657 = phi_3252_;
-                                                            phi_2036_ = _e2653;
-                                                            let _e3070 = local_15;
-                                                            phi_3253_ = _e3070;
-                                                            phi_3254_ = false;
-                                                            phi_3255_ = _e2655;
-                                                            phi_3256_ = _e2657;
+                                                            let _e2655 = phi_3254_;
+                                                            phi_2040_ = _e2655;
+                                                            let _e3071 = local_13;
+                                                            phi_2043_ = _e3071;
+                                                            let _e3074 = local_14;
+                                                            phi_3255_ = _e3074;
+                                                            let _e3077 = local_15;
+                                                            phi_3256_ = _e3077;
+                                                            phi_3257_ = false;
                                                         } else {
-                                                            phi_2036_ = u32();
-                                                            phi_3253_ = false;
-                                                            phi_3254_ = true;
-                                                            phi_3255_ = false;
+                                                            phi_2040_ = u32();
+                                                            phi_2043_ = bool();
+                                                            phi_3255_ = bool();
                                                             phi_3256_ = false;
+                                                            phi_3257_ = true;
                                                         }
-                                                        let _e2659 = phi_2036_;
-                                                        let _e2661 = phi_3253_;
-                                                        let _e2663 = phi_3254_;
-                                                        let _e2665 = phi_3255_;
-                                                        let _e2667 = phi_3256_;
-                                                        local_10 = _e2663;
-                                                        local_16 = _e2665;
-                                                        local_17 = _e2667;
+                                                        let _e2657 = phi_2040_;
+                                                        let _e2659 = phi_2043_;
+                                                        let _e2661 = phi_3255_;
+                                                        let _e2663 = phi_3256_;
+                                                        let _e2665 = phi_3257_;
+                                                        local_10 = _e2665;
+                                                        local_16 = _e2661;
                                                         continue;
                                                         continuing {
-                                                            phi_2035_ = _e2659;
-                                                            break if !(_e2661);
+                                                            phi_2039_ = _e2657;
+                                                            phi_2042_ = _e2659;
+                                                            break if !(_e2663);
                                                         }
                                                     }
-                                                    let _e2670 = local_10;
-                                                    if _e2670 {
-                                                        phi_3260_ = false;
+                                                    let _e2668 = local_10;
+                                                    if _e2668 {
                                                         phi_3261_ = false;
                                                     } else {
-                                                        let _e3077 = local_16;
-                                                        phi_3260_ = _e3077;
-                                                        let _e3080 = local_17;
-                                                        phi_3261_ = _e3080;
+                                                        phi_3261_ = true;
                                                     }
-                                                    let _e2672 = phi_3260_;
-                                                    let _e2674 = phi_3261_;
-                                                    if _e2672 {
-                                                        phi_3265_ = true;
+                                                    let _e2670 = phi_3261_;
+                                                    if _e2670 {
+                                                        let _e3083 = local_16;
+                                                        phi_3265_ = _e3083;
                                                     } else {
-                                                        phi_3265_ = _e2674;
+                                                        let _e3085 = local_17;
+                                                        phi_3265_ = _e3085;
                                                     }
-                                                    let _e2676 = phi_3265_;
-                                                    if _e2676 {
-                                                        phi_3269_ = true;
-                                                    } else {
-                                                        phi_3269_ = false;
-                                                    }
-                                                    let _e2678 = phi_3269_;
-                                                    phi_3270_ = _e2678;
+                                                    let _e2672 = phi_3265_;
+                                                    phi_3266_ = _e2672;
                                                 }
-                                                let _e2680 = phi_3270_;
-                                                phi_3271_ = _e2680;
-                                                phi_3272_ = _e1149;
+                                                let _e2674 = phi_3266_;
+                                                phi_3267_ = _e2674;
+                                                phi_3268_ = _e1153;
                                             } else {
-                                                phi_3271_ = bool();
-                                                phi_3272_ = true;
+                                                phi_3267_ = bool();
+                                                phi_3268_ = true;
                                             }
-                                            let _e2682 = phi_3271_;
-                                            let _e2684 = phi_3272_;
-                                            if _e2684 {
+                                            let _e2676 = phi_3267_;
+                                            let _e2678 = phi_3268_;
+                                            if _e2678 {
+                                                phi_3272_ = _e940;
+                                            } else {
+                                                phi_3272_ = _e2676;
+                                            }
+                                            let _e2680 = phi_3272_;
+                                            if _e2680 {
                                                 phi_3276_ = false;
                                             } else {
-                                                phi_3276_ = _e2682;
+                                                phi_3276_ = true;
                                             }
-                                            let _e2686 = phi_3276_;
-                                            if _e2686 {
-                                                phi_3280_ = false;
-                                            } else {
-                                                phi_3280_ = true;
-                                            }
-                                            let _e2688 = phi_3280_;
-                                            phi_3281_ = _e2688;
+                                            let _e2682 = phi_3276_;
+                                            phi_3277_ = _e2680;
+                                            phi_3278_ = _e2682;
                                         } else {
-                                            phi_3281_ = true;
+                                            phi_3277_ = _e940;
+                                            phi_3278_ = true;
                                         }
-                                        let _e2690 = phi_3281_;
-                                        phi_3282_ = _e2690;
+                                        let _e2684 = phi_3277_;
+                                        let _e2686 = phi_3278_;
+                                        phi_3279_ = _e2684;
+                                        phi_3280_ = _e2686;
                                     } else {
-                                        phi_3282_ = true;
+                                        phi_3279_ = _e940;
+                                        phi_3280_ = true;
                                     }
-                                    let _e2692 = phi_3282_;
-                                    phi_3283_ = _e2692;
+                                    let _e2688 = phi_3279_;
+                                    let _e2690 = phi_3280_;
+                                    phi_3281_ = _e2688;
+                                    phi_3282_ = _e2690;
                                 } else {
-                                    phi_3283_ = true;
+                                    phi_3281_ = _e940;
+                                    phi_3282_ = true;
                                 }
-                                let _e2694 = phi_3283_;
+                                let _e2692 = phi_3281_;
+                                let _e2694 = phi_3282_;
                                 if _e2694 {
                                 }
-                                phi_1430_ = (_e936 & (_e936 - 1u));
-                                phi_3287_ = _e2694;
+                                phi_1432_ = (_e938 & (_e938 - 1u));
+                                phi_1435_ = _e2692;
+                                phi_3286_ = _e2694;
                             }
-                            let _e2696 = phi_1430_;
-                            let _e2698 = phi_3287_;
+                            let _e2696 = phi_1432_;
+                            let _e2698 = phi_1435_;
+                            let _e2700 = phi_3286_;
                             continue;
                             continuing {
-                                phi_1429_ = _e2696;
-                                break if !(_e2698);
+                                phi_1431_ = _e2696;
+                                phi_1434_ = _e2698;
+                                break if !(_e2700);
                             }
                         }
-                        let _e2701 = local_11;
-                        if _e2701 {
-                            let _e2703 = local_2.group_mask;
-                            if ((_e2703 & 4278190080u) == 0u) {
-                                let _e2707 = local_2.len;
-                                if (_e2707 == 0u) {
-                                    phi_3329_ = false;
+                        let _e2703 = local_11;
+                        if _e2703 {
+                            let _e2705 = local_2.group_mask;
+                            if ((_e2705 & 4278190080u) == 0u) {
+                                let _e2709 = local_2.len;
+                                if (_e2709 == 0u) {
+                                    phi_3328_ = false;
                                 } else {
-                                    let _e2711 = local_2.len;
-                                    local_2.len = (_e2711 - 1u);
-                                    let _e2714 = local_2.len;
-                                    if (_e2714 < 32u) {
+                                    let _e2713 = local_2.len;
+                                    local_2.len = (_e2713 - 1u);
+                                    let _e2716 = local_2.len;
+                                    if (_e2716 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2719 = local_2.first[(0u + _e2714)];
-                                    local_2.group = _e2719;
-                                    let _e2722 = local_2.len;
-                                    if (_e2722 < 32u) {
+                                    let _e2721 = local_2.first[(0u + _e2716)];
+                                    local_2.group = _e2721;
+                                    let _e2724 = local_2.len;
+                                    if (_e2724 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2727 = local_2.mask[(0u + _e2722)];
-                                    local_2.group_mask = _e2727;
-                                    phi_3329_ = true;
+                                    let _e2729 = local_2.mask[(0u + _e2724)];
+                                    local_2.group_mask = _e2729;
+                                    phi_3328_ = true;
                                 }
-                                let _e2730 = phi_3329_;
-                                phi_3330_ = _e2730;
+                                let _e2732 = phi_3328_;
+                                phi_3329_ = _e2732;
                             } else {
-                                phi_3330_ = true;
+                                phi_3329_ = true;
                             }
-                            let _e2732 = phi_3330_;
-                            if _e2732 {
-                                let _e2734 = local_2.group_mask;
-                                let _e2740 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2734)), 32u, (_e2734 == 0u)));
-                                let _e2744 = local_2.group_mask;
-                                let _e2758 = local_2.group_mask;
-                                local_2.group_mask = (_e2758 & ~((1u << bitcast<u32>((_e2740 & 31u)))));
-                                let _e2761 = local_2.group;
-                                phi_3361_ = (_e2761 + countOneBits(((_e2744 & ~((4294967295u << bitcast<u32>((((_e2740 - 24u) ^ _e362) & 31u))))) & 255u)));
+                            let _e2734 = phi_3329_;
+                            if _e2734 {
+                                let _e2736 = local_2.group_mask;
+                                let _e2742 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2736)), 32u, (_e2736 == 0u)));
+                                let _e2746 = local_2.group_mask;
+                                let _e2760 = local_2.group_mask;
+                                local_2.group_mask = (_e2760 & ~((1u << bitcast<u32>((_e2742 & 31u)))));
+                                let _e2763 = local_2.group;
+                                phi_3360_ = (_e2763 + countOneBits(((_e2746 & ~((4294967295u << bitcast<u32>((((_e2742 - 24u) ^ _e362) & 31u))))) & 255u)));
                             } else {
-                                phi_3361_ = 4294967295u;
+                                phi_3360_ = 4294967295u;
                             }
-                            let _e2764 = phi_3361_;
-                            phi_3362_ = _e2764;
+                            let _e2766 = phi_3360_;
+                            phi_3361_ = _e2766;
                         } else {
-                            phi_3362_ = u32();
+                            phi_3361_ = u32();
                         }
-                        let _e2766 = phi_3362_;
-                        phi_1100_ = _e2766;
-                        let _e3101 = local_18;
-                        phi_3363_ = _e3101;
-                        phi_3364_ = false;
+                        let _e2768 = phi_3361_;
+                        phi_1100_ = _e2768;
+                        let _e3108 = local_18;
+                        phi_1103_ = _e3108;
+                        let _e3111 = local_19;
+                        phi_3362_ = _e3111;
+                        phi_3363_ = false;
                     } else {
                         phi_1100_ = u32();
-                        phi_3363_ = false;
-                        phi_3364_ = true;
+                        phi_1103_ = bool();
+                        phi_3362_ = false;
+                        phi_3363_ = true;
                     }
-                    let _e2768 = phi_1100_;
-                    let _e2770 = phi_3363_;
-                    let _e2772 = phi_3364_;
-                    local_12 = _e2772;
+                    let _e2770 = phi_1100_;
+                    let _e2772 = phi_1103_;
+                    let _e2774 = phi_3362_;
+                    let _e2776 = phi_3363_;
+                    local_12 = _e2776;
                     continue;
                     continuing {
-                        phi_1099_ = _e2768;
-                        break if !(_e2770);
+                        phi_1099_ = _e2770;
+                        phi_1102_ = _e2772;
+                        break if !(_e2774);
                     }
                 }
-                let _e2775 = local_12;
-                if _e2775 {
-                    phi_3368_ = false;
+                let _e2779 = local_12;
+                if _e2779 {
+                    phi_3367_ = false;
                 } else {
-                    phi_3368_ = true;
+                    phi_3367_ = true;
                 }
-                let _e2777 = phi_3368_;
-                if _e2777 {
-                    phi_3372_ = true;
-                } else {
-                    phi_3372_ = false;
+                let _e2781 = phi_3367_;
+                if _e2781 {
                 }
-                let _e2779 = phi_3372_;
-                phi_3373_ = _e2779;
+                phi_3371_ = _e2781;
             }
-            let _e2781 = phi_3373_;
-            phi_3374_ = _e2781;
-            phi_3375_ = _e218;
+            let _e2783 = phi_3371_;
+            phi_3372_ = _e218;
+            phi_3373_ = _e2783;
         } else {
-            phi_3374_ = bool();
-            phi_3375_ = true;
+            phi_3372_ = true;
+            phi_3373_ = false;
         }
-        let _e2783 = phi_3374_;
-        let _e2785 = phi_3375_;
+        let _e2785 = phi_3372_;
+        let _e2787 = phi_3373_;
         if _e2785 {
-            phi_3379_ = false;
+            phi_3377_ = false;
+            phi_3378_ = true;
         } else {
-            phi_3379_ = _e2783;
+            phi_3377_ = true;
+            phi_3378_ = _e2787;
         }
-        let _e2787 = phi_3379_;
-        if _e2787 {
-            phi_3383_ = 0f;
+        let _e2789 = phi_3377_;
+        let _e2791 = phi_3378_;
+        if _e2791 {
+            phi_3382_ = _e2789;
         } else {
-            phi_3383_ = 1f;
+            phi_3382_ = false;
         }
-        let _e2789 = phi_3383_;
+        let _e2793 = phi_3382_;
+        if _e2793 {
+            phi_3386_ = 0f;
+        } else {
+            phi_3386_ = 1f;
+        }
+        let _e2795 = phi_3386_;
         if (_e114 < _e83) {
         } else {
             return;
         }
-        visibility.member[(0u + _e114)] = _e2789;
+        visibility.member[(0u + _e114)] = _e2795;
         if (_e114 < _e89) {
         } else {
             return;
         }
-        let _e2796 = bits.member[(0u + _e114)];
-        if ((_e2796 & 2u) == 0u) {
-            phi_3404_ = (_e2796 & 1u);
+        let _e2802 = bits.member[(0u + _e114)];
+        if ((_e2802 & 2u) == 0u) {
+            phi_3407_ = (_e2802 & 1u);
         } else {
-            phi_3404_ = (_e2796 & 7u);
+            phi_3407_ = (_e2802 & 7u);
         }
-        let _e2802 = phi_3404_;
+        let _e2808 = phi_3407_;
         if (_e114 < _e83) {
         } else {
             return;
         }
-        let _e2806 = visibility.member[(0u + _e114)];
-        if ((_e2802 & 1u) != 0u) {
-            phi_3419_ = (2u | 1u);
+        let _e2812 = visibility.member[(0u + _e114)];
+        if ((_e2808 & 1u) != 0u) {
+            phi_3422_ = (2u | 1u);
         } else {
-            phi_3419_ = 2u;
+            phi_3422_ = 2u;
         }
-        let _e2812 = phi_3419_;
-        if (_e2806 < 0.5f) {
-            phi_3424_ = (_e2812 | 4u);
+        let _e2818 = phi_3422_;
+        if (_e2812 < 0.5f) {
+            phi_3427_ = (_e2818 | 4u);
         } else {
-            phi_3424_ = _e2812;
+            phi_3427_ = _e2818;
         }
-        let _e2815 = phi_3424_;
+        let _e2821 = phi_3427_;
         if (_e114 < _e89) {
         } else {
             return;
         }
-        bits.member[(0u + _e114)] = _e2815;
+        bits.member[(0u + _e114)] = _e2821;
     }
     return;
 }

@@ -39,11 +39,48 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
     row_z: vec4<f32>,
     row_w: vec4<f32>,
+}
+
+struct abi_ShadowParams {
+    projection: lt_math_LightProjection,
+    light: abi_LightParams,
+    test: vec4<f32>,
+    size: vec2<u32>,
+    map_size: u32,
+    epsilon: f32,
+    root: u32,
+    level_count: u32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_31 {
+    member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_36 {
+    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Triangle {
@@ -55,7 +92,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_30 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -67,7 +104,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_34 {
+struct type_44 {
     member: array<abi_Vertex>,
 }
 
@@ -79,42 +116,12 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_38 {
+struct type_48 {
     member: array<abi_Material>,
-}
-
-struct texture_TexelQuad {
-    indices: array<u32, 4>,
-    weights: vec4<f32>,
-}
-
-struct texture_Axis {
-    low: u32,
-    high: u32,
-    fraction: f32,
-}
-
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_51 {
-    member: array<lt_bvh_Node>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
@@ -129,21 +136,15 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-struct abi_ShadowParams {
-    projection: lt_math_LightProjection,
-    light: abi_LightParams,
-    test: vec4<f32>,
-    size: vec2<u32>,
-    map_size: u32,
-    epsilon: f32,
-    root: u32,
-    level_count: u32,
-    fade_uv: f32,
-    pad0_: u32,
+struct texture_TexelQuad {
+    indices: array<u32, 4>,
+    weights: vec4<f32>,
 }
 
-struct type_57 {
-    member: abi_ShadowParams,
+struct texture_Axis {
+    low: u32,
+    high: u32,
+    fraction: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -152,411 +153,411 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_57;
+var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> nodes: type_51;
+var<storage> nodes: type_36;
 @group(0) @binding(3) 
-var<storage> triangles: type_30;
-@group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> triangles: type_40;
 @group(0) @binding(6) 
-var<storage> vertices: type_34;
+var<storage> vertices: type_44;
 @group(0) @binding(7) 
-var<storage> materials: type_38;
+var<storage> materials: type_48;
 @group(0) @binding(8) 
 var<storage> alpha_texels: type_13;
+@group(0) @binding(5) 
+var<storage> list: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_223_: f32;
-    var phi_228_: f32;
-    var phi_229_: bool;
-    var phi_230_: f32;
-    var phi_231_: bool;
-    var phi_235_: f32;
-    var phi_261_: f32;
-    var phi_266_: f32;
-    var phi_267_: bool;
-    var phi_268_: f32;
-    var phi_269_: bool;
-    var phi_273_: f32;
-    var phi_281_: f32;
-    var phi_282_: f32;
-    var phi_283_: f32;
-    var phi_292_: f32;
+fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
+    var phi_193_: bool;
+    var phi_197_: f32;
+
+    if (param != param) {
+        phi_193_ = true;
+    } else {
+        let _e69 = (param_1 >= param);
+        if _e69 {
+        }
+        phi_193_ = _e69;
+    }
+    let _e71 = phi_193_;
+    if _e71 {
+        phi_197_ = param_1;
+    } else {
+        phi_197_ = param;
+    }
+    let _e73 = phi_197_;
+    return _e73;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
+    var phi_209_: bool;
+    var phi_213_: f32;
+
+    if (param_2 != param_2) {
+        phi_209_ = true;
+    } else {
+        let _e69 = (param_3 <= param_2);
+        if _e69 {
+        }
+        phi_209_ = _e69;
+    }
+    let _e71 = phi_209_;
+    if _e71 {
+        phi_213_ = param_3;
+    } else {
+        phi_213_ = param_2;
+    }
+    let _e73 = phi_213_;
+    return _e73;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
+    var phi_255_: f32;
+    var phi_260_: f32;
+    var phi_261_: bool;
+    var phi_262_: f32;
+    var phi_263_: bool;
+    var phi_267_: f32;
     var phi_293_: f32;
-    var phi_311_: u32;
-    var phi_325_: u32;
-    var phi_332_: u32;
-    var phi_337_: u32;
+    var phi_298_: f32;
+    var phi_299_: bool;
+    var phi_300_: f32;
+    var phi_301_: bool;
+    var phi_305_: f32;
+    var phi_313_: f32;
+    var phi_314_: f32;
+    var phi_315_: f32;
+    var phi_324_: f32;
+    var phi_325_: f32;
     var phi_343_: u32;
-    var phi_348_: u32;
-    var phi_350_: texture_Axis;
-    var phi_378_: f32;
-    var phi_383_: f32;
-    var phi_384_: bool;
-    var phi_385_: f32;
-    var phi_386_: bool;
-    var phi_390_: f32;
-    var phi_416_: f32;
-    var phi_421_: f32;
-    var phi_422_: bool;
-    var phi_423_: f32;
-    var phi_424_: bool;
-    var phi_428_: f32;
-    var phi_436_: f32;
-    var phi_437_: f32;
-    var phi_438_: f32;
-    var phi_447_: f32;
+    var phi_357_: u32;
+    var phi_364_: u32;
+    var phi_369_: u32;
+    var phi_375_: u32;
+    var phi_380_: u32;
+    var phi_382_: texture_Axis;
+    var phi_410_: f32;
+    var phi_415_: f32;
+    var phi_416_: bool;
+    var phi_417_: f32;
+    var phi_418_: bool;
+    var phi_422_: f32;
     var phi_448_: f32;
-    var phi_466_: u32;
-    var phi_480_: u32;
-    var phi_487_: u32;
-    var phi_492_: u32;
+    var phi_453_: f32;
+    var phi_454_: bool;
+    var phi_455_: f32;
+    var phi_456_: bool;
+    var phi_460_: f32;
+    var phi_468_: f32;
+    var phi_469_: f32;
+    var phi_470_: f32;
+    var phi_479_: f32;
+    var phi_480_: f32;
     var phi_498_: u32;
-    var phi_503_: u32;
-    var phi_505_: texture_Axis;
+    var phi_512_: u32;
+    var phi_519_: u32;
+    var phi_524_: u32;
+    var phi_530_: u32;
+    var phi_535_: u32;
+    var phi_537_: texture_Axis;
 
-    let _e70 = (*param).size;
+    let _e70 = (*param_4).size;
     let _e71 = (_e70 & 65535u);
-    let _e73 = (*param).size;
+    let _e73 = (*param_4).size;
     let _e75 = (_e73 >> bitcast<u32>(16i));
-    let _e77 = (*param).flags;
+    let _e77 = (*param_4).flags;
     let _e79 = ((_e77 & 4u) != 0u);
-    let _e81 = (*param).flags;
+    let _e81 = (*param_4).flags;
     let _e84 = ((_e81 >> bitcast<u32>(4u)) & 3u);
     if (_e84 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e97 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e97 > param_1) {
-                phi_223_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e97 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e97 > param_5) {
+                phi_255_ = 1f;
             } else {
-                phi_223_ = 0f;
+                phi_255_ = 0f;
             }
-            let _e100 = phi_223_;
-            if (param_1 < 8388608f) {
-                phi_228_ = (_e97 - _e100);
-                phi_229_ = false;
+            let _e100 = phi_255_;
+            if (param_5 < 8388608f) {
+                phi_260_ = (_e97 - _e100);
+                phi_261_ = false;
             } else {
-                phi_228_ = f32();
-                phi_229_ = true;
+                phi_260_ = f32();
+                phi_261_ = true;
             }
-            let _e103 = phi_228_;
-            let _e105 = phi_229_;
-            phi_230_ = _e103;
-            phi_231_ = _e105;
+            let _e103 = phi_260_;
+            let _e105 = phi_261_;
+            phi_262_ = _e103;
+            phi_263_ = _e105;
         } else {
-            phi_230_ = f32();
-            phi_231_ = true;
+            phi_262_ = f32();
+            phi_263_ = true;
         }
-        let _e107 = phi_230_;
-        let _e109 = phi_231_;
+        let _e107 = phi_262_;
+        let _e109 = phi_263_;
         if _e109 {
-            phi_235_ = param_1;
+            phi_267_ = param_5;
         } else {
-            phi_235_ = _e107;
+            phi_267_ = _e107;
         }
-        let _e111 = phi_235_;
-        phi_283_ = (param_1 - _e111);
+        let _e111 = phi_267_;
+        phi_315_ = (param_5 - _e111);
     } else {
         if (_e84 == 1u) {
-            let _e114 = (param_1 * 0.5f);
+            let _e114 = (param_5 * 0.5f);
             if (_e114 > -8388608f) {
                 let _e126 = f32(select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)));
                 if (_e126 > _e114) {
-                    phi_261_ = 1f;
+                    phi_293_ = 1f;
                 } else {
-                    phi_261_ = 0f;
+                    phi_293_ = 0f;
                 }
-                let _e129 = phi_261_;
+                let _e129 = phi_293_;
                 if (_e114 < 8388608f) {
-                    phi_266_ = (_e126 - _e129);
-                    phi_267_ = false;
+                    phi_298_ = (_e126 - _e129);
+                    phi_299_ = false;
                 } else {
-                    phi_266_ = f32();
-                    phi_267_ = true;
+                    phi_298_ = f32();
+                    phi_299_ = true;
                 }
-                let _e132 = phi_266_;
-                let _e134 = phi_267_;
-                phi_268_ = _e132;
-                phi_269_ = _e134;
+                let _e132 = phi_298_;
+                let _e134 = phi_299_;
+                phi_300_ = _e132;
+                phi_301_ = _e134;
             } else {
-                phi_268_ = f32();
-                phi_269_ = true;
+                phi_300_ = f32();
+                phi_301_ = true;
             }
-            let _e136 = phi_268_;
-            let _e138 = phi_269_;
+            let _e136 = phi_300_;
+            let _e138 = phi_301_;
             if _e138 {
-                phi_273_ = _e114;
+                phi_305_ = _e114;
             } else {
-                phi_273_ = _e136;
+                phi_305_ = _e136;
             }
-            let _e140 = phi_273_;
-            let _e142 = (param_1 - (2f * _e140));
+            let _e140 = phi_305_;
+            let _e142 = (param_5 - (2f * _e140));
             if (_e142 > 1f) {
-                phi_281_ = (2f - _e142);
+                phi_313_ = (2f - _e142);
             } else {
-                phi_281_ = _e142;
+                phi_313_ = _e142;
             }
-            let _e146 = phi_281_;
-            phi_282_ = _e146;
+            let _e146 = phi_313_;
+            phi_314_ = _e146;
         } else {
-            phi_282_ = param_1;
+            phi_314_ = param_5;
         }
-        let _e148 = phi_282_;
-        phi_283_ = _e148;
+        let _e148 = phi_314_;
+        phi_315_ = _e148;
     }
-    let _e150 = phi_283_;
+    let _e150 = phi_315_;
     if (_e150 > 0f) {
         if (_e150 < 1f) {
-            phi_292_ = _e150;
+            phi_324_ = _e150;
         } else {
-            phi_292_ = 1f;
+            phi_324_ = 1f;
         }
-        let _e154 = phi_292_;
-        phi_293_ = _e154;
+        let _e154 = phi_324_;
+        phi_325_ = _e154;
     } else {
-        phi_293_ = 0f;
+        phi_325_ = 0f;
     }
-    let _e156 = phi_293_;
+    let _e156 = phi_325_;
     let _e157 = (_e71 - 1u);
     let _e159 = (_e156 * f32(_e71));
     if _e79 {
         let _e166 = select(select(u32(_e159), 0u, (_e159 < bitcast<f32>(0u))), 4294967295u, (_e159 > bitcast<f32>(1333788671u)));
         if (_e157 < _e166) {
-            phi_311_ = _e157;
+            phi_343_ = _e157;
         } else {
-            phi_311_ = _e166;
+            phi_343_ = _e166;
         }
-        let _e169 = phi_311_;
-        phi_350_ = texture_Axis(_e169, _e169, 0f);
+        let _e169 = phi_343_;
+        phi_382_ = texture_Axis(_e169, _e169, 0f);
     } else {
         let _e171 = (_e159 + 0.5f);
         let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
         if (_e71 < _e178) {
-            phi_325_ = _e71;
+            phi_357_ = _e71;
         } else {
-            phi_325_ = _e178;
+            phi_357_ = _e178;
         }
-        let _e181 = phi_325_;
+        let _e181 = phi_357_;
         if (_e84 == 0u) {
-            phi_332_ = _e157;
+            phi_364_ = _e157;
         } else {
-            phi_332_ = 0u;
+            phi_364_ = 0u;
         }
-        let _e186 = phi_332_;
+        let _e186 = phi_364_;
         if (_e84 == 0u) {
-            phi_337_ = 0u;
+            phi_369_ = 0u;
         } else {
-            phi_337_ = _e157;
+            phi_369_ = _e157;
         }
-        let _e189 = phi_337_;
+        let _e189 = phi_369_;
         if (_e181 == 0u) {
-            phi_343_ = _e186;
+            phi_375_ = _e186;
         } else {
-            phi_343_ = (_e181 - 1u);
+            phi_375_ = (_e181 - 1u);
         }
-        let _e193 = phi_343_;
+        let _e193 = phi_375_;
         if (_e181 > _e157) {
-            phi_348_ = _e189;
+            phi_380_ = _e189;
         } else {
-            phi_348_ = _e181;
+            phi_380_ = _e181;
         }
-        let _e196 = phi_348_;
-        phi_350_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
+        let _e196 = phi_380_;
+        phi_382_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
     }
-    let _e199 = phi_350_;
-    let _e201 = (*param).flags;
+    let _e199 = phi_382_;
+    let _e201 = (*param_4).flags;
     let _e204 = ((_e201 >> bitcast<u32>(6u)) & 3u);
     if (_e204 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e217 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e217 > param_2) {
-                phi_378_ = 1f;
+        if (param_6 > -8388608f) {
+            let _e217 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
+            if (_e217 > param_6) {
+                phi_410_ = 1f;
             } else {
-                phi_378_ = 0f;
+                phi_410_ = 0f;
             }
-            let _e220 = phi_378_;
-            if (param_2 < 8388608f) {
-                phi_383_ = (_e217 - _e220);
-                phi_384_ = false;
+            let _e220 = phi_410_;
+            if (param_6 < 8388608f) {
+                phi_415_ = (_e217 - _e220);
+                phi_416_ = false;
             } else {
-                phi_383_ = f32();
-                phi_384_ = true;
+                phi_415_ = f32();
+                phi_416_ = true;
             }
-            let _e223 = phi_383_;
-            let _e225 = phi_384_;
-            phi_385_ = _e223;
-            phi_386_ = _e225;
+            let _e223 = phi_415_;
+            let _e225 = phi_416_;
+            phi_417_ = _e223;
+            phi_418_ = _e225;
         } else {
-            phi_385_ = f32();
-            phi_386_ = true;
+            phi_417_ = f32();
+            phi_418_ = true;
         }
-        let _e227 = phi_385_;
-        let _e229 = phi_386_;
+        let _e227 = phi_417_;
+        let _e229 = phi_418_;
         if _e229 {
-            phi_390_ = param_2;
+            phi_422_ = param_6;
         } else {
-            phi_390_ = _e227;
+            phi_422_ = _e227;
         }
-        let _e231 = phi_390_;
-        phi_438_ = (param_2 - _e231);
+        let _e231 = phi_422_;
+        phi_470_ = (param_6 - _e231);
     } else {
         if (_e204 == 1u) {
-            let _e234 = (param_2 * 0.5f);
+            let _e234 = (param_6 * 0.5f);
             if (_e234 > -8388608f) {
                 let _e246 = f32(select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < bitcast<f32>(3472883712u))), 2147483647i, (_e234 > bitcast<f32>(1325400063u))), (_e234 == _e234)));
                 if (_e246 > _e234) {
-                    phi_416_ = 1f;
+                    phi_448_ = 1f;
                 } else {
-                    phi_416_ = 0f;
+                    phi_448_ = 0f;
                 }
-                let _e249 = phi_416_;
+                let _e249 = phi_448_;
                 if (_e234 < 8388608f) {
-                    phi_421_ = (_e246 - _e249);
-                    phi_422_ = false;
+                    phi_453_ = (_e246 - _e249);
+                    phi_454_ = false;
                 } else {
-                    phi_421_ = f32();
-                    phi_422_ = true;
+                    phi_453_ = f32();
+                    phi_454_ = true;
                 }
-                let _e252 = phi_421_;
-                let _e254 = phi_422_;
-                phi_423_ = _e252;
-                phi_424_ = _e254;
+                let _e252 = phi_453_;
+                let _e254 = phi_454_;
+                phi_455_ = _e252;
+                phi_456_ = _e254;
             } else {
-                phi_423_ = f32();
-                phi_424_ = true;
+                phi_455_ = f32();
+                phi_456_ = true;
             }
-            let _e256 = phi_423_;
-            let _e258 = phi_424_;
+            let _e256 = phi_455_;
+            let _e258 = phi_456_;
             if _e258 {
-                phi_428_ = _e234;
+                phi_460_ = _e234;
             } else {
-                phi_428_ = _e256;
+                phi_460_ = _e256;
             }
-            let _e260 = phi_428_;
-            let _e262 = (param_2 - (2f * _e260));
+            let _e260 = phi_460_;
+            let _e262 = (param_6 - (2f * _e260));
             if (_e262 > 1f) {
-                phi_436_ = (2f - _e262);
+                phi_468_ = (2f - _e262);
             } else {
-                phi_436_ = _e262;
+                phi_468_ = _e262;
             }
-            let _e266 = phi_436_;
-            phi_437_ = _e266;
+            let _e266 = phi_468_;
+            phi_469_ = _e266;
         } else {
-            phi_437_ = param_2;
+            phi_469_ = param_6;
         }
-        let _e268 = phi_437_;
-        phi_438_ = _e268;
+        let _e268 = phi_469_;
+        phi_470_ = _e268;
     }
-    let _e270 = phi_438_;
+    let _e270 = phi_470_;
     if (_e270 > 0f) {
         if (_e270 < 1f) {
-            phi_447_ = _e270;
+            phi_479_ = _e270;
         } else {
-            phi_447_ = 1f;
+            phi_479_ = 1f;
         }
-        let _e274 = phi_447_;
-        phi_448_ = _e274;
+        let _e274 = phi_479_;
+        phi_480_ = _e274;
     } else {
-        phi_448_ = 0f;
+        phi_480_ = 0f;
     }
-    let _e276 = phi_448_;
+    let _e276 = phi_480_;
     let _e277 = (_e75 - 1u);
     let _e279 = (_e276 * f32(_e75));
     if _e79 {
         let _e286 = select(select(u32(_e279), 0u, (_e279 < bitcast<f32>(0u))), 4294967295u, (_e279 > bitcast<f32>(1333788671u)));
         if (_e277 < _e286) {
-            phi_466_ = _e277;
+            phi_498_ = _e277;
         } else {
-            phi_466_ = _e286;
+            phi_498_ = _e286;
         }
-        let _e289 = phi_466_;
-        phi_505_ = texture_Axis(_e289, _e289, 0f);
+        let _e289 = phi_498_;
+        phi_537_ = texture_Axis(_e289, _e289, 0f);
     } else {
         let _e291 = (_e279 + 0.5f);
         let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
         if (_e75 < _e298) {
-            phi_480_ = _e75;
+            phi_512_ = _e75;
         } else {
-            phi_480_ = _e298;
+            phi_512_ = _e298;
         }
-        let _e301 = phi_480_;
+        let _e301 = phi_512_;
         if (_e204 == 0u) {
-            phi_487_ = _e277;
+            phi_519_ = _e277;
         } else {
-            phi_487_ = 0u;
+            phi_519_ = 0u;
         }
-        let _e306 = phi_487_;
+        let _e306 = phi_519_;
         if (_e204 == 0u) {
-            phi_492_ = 0u;
+            phi_524_ = 0u;
         } else {
-            phi_492_ = _e277;
+            phi_524_ = _e277;
         }
-        let _e309 = phi_492_;
+        let _e309 = phi_524_;
         if (_e301 == 0u) {
-            phi_498_ = _e306;
+            phi_530_ = _e306;
         } else {
-            phi_498_ = (_e301 - 1u);
+            phi_530_ = (_e301 - 1u);
         }
-        let _e313 = phi_498_;
+        let _e313 = phi_530_;
         if (_e301 > _e277) {
-            phi_503_ = _e309;
+            phi_535_ = _e309;
         } else {
-            phi_503_ = _e301;
+            phi_535_ = _e301;
         }
-        let _e316 = phi_503_;
-        phi_505_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
+        let _e316 = phi_535_;
+        phi_537_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
     }
-    let _e319 = phi_505_;
-    let _e323 = (*param).offset;
-    let _e330 = (*param).offset;
-    let _e337 = (*param).offset;
-    let _e344 = (*param).offset;
+    let _e319 = phi_537_;
+    let _e323 = (*param_4).offset;
+    let _e330 = (*param_4).offset;
+    let _e337 = (*param_4).offset;
+    let _e344 = (*param_4).offset;
     return texture_TexelQuad(array<u32, 4>(((_e323 + (_e319.low * _e71)) + _e199.low), ((_e330 + (_e319.low * _e71)) + _e199.high), ((_e337 + (_e319.high * _e71)) + _e199.low), ((_e344 + (_e319.high * _e71)) + _e199.high)), vec4<f32>(((1f - _e199.fraction) * (1f - _e319.fraction)), (_e199.fraction * (1f - _e319.fraction)), ((1f - _e199.fraction) * _e319.fraction), (_e199.fraction * _e319.fraction)));
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_564_: bool;
-    var phi_568_: f32;
-
-    if (param_3 != param_3) {
-        phi_564_ = true;
-    } else {
-        let _e69 = (param_4 >= param_3);
-        if _e69 {
-        }
-        phi_564_ = _e69;
-    }
-    let _e71 = phi_564_;
-    if _e71 {
-        phi_568_ = param_4;
-    } else {
-        phi_568_ = param_3;
-    }
-    let _e73 = phi_568_;
-    return _e73;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_580_: bool;
-    var phi_584_: f32;
-
-    if (param_5 != param_5) {
-        phi_580_ = true;
-    } else {
-        let _e69 = (param_6 <= param_5);
-        if _e69 {
-        }
-        phi_580_ = _e69;
-    }
-    let _e71 = phi_580_;
-    if _e71 {
-        phi_584_ = param_6;
-    } else {
-        phi_584_ = param_5;
-    }
-    let _e73 = phi_584_;
-    return _e73;
 }
 
 fn function_() {
@@ -608,117 +609,115 @@ fn function_() {
     var phi_1081_: bool;
     var phi_1112_: u32;
     var phi_1114_: u32;
-    var phi_1195_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1222_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1249_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1255_: u32;
-    var phi_1258_: u32;
-    var phi_1272_: u32;
-    var phi_1282_: u32;
-    var phi_1292_: u32;
-    var phi_1310_: u32;
-    var phi_1320_: u32;
-    var phi_1330_: u32;
-    var phi_1366_: u32;
-    var phi_1379_: u32;
-    var phi_1384_: u32;
-    var phi_1385_: u32;
+    var phi_1117_: bool;
+    var phi_1197_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1224_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1251_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1257_: u32;
+    var phi_1260_: u32;
+    var phi_1274_: u32;
+    var phi_1284_: u32;
+    var phi_1294_: u32;
+    var phi_1312_: u32;
+    var phi_1322_: u32;
+    var phi_1332_: u32;
+    var phi_1368_: u32;
+    var phi_1381_: u32;
     var phi_1386_: u32;
-    var phi_1256_: u32;
-    var phi_1259_: u32;
+    var phi_1387_: u32;
+    var phi_1388_: u32;
+    var phi_1258_: u32;
+    var phi_1261_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1444_: u32;
-    var phi_1489_: vec3<f32>;
-    var phi_1490_: vec3<f32>;
-    var phi_1519_: vec3<f32>;
-    var phi_1520_: vec3<f32>;
-    var phi_1549_: vec3<f32>;
-    var phi_1550_: vec3<f32>;
-    var phi_1568_: bool;
-    var phi_1569_: bool;
-    var phi_1573_: f32;
-    var phi_1574_: f32;
-    var phi_1575_: f32;
-    var phi_1576_: f32;
-    var phi_1584_: f32;
-    var phi_1594_: bool;
-    var phi_1595_: bool;
-    var phi_1599_: f32;
-    var phi_1600_: f32;
-    var phi_1601_: f32;
-    var phi_1602_: f32;
-    var phi_1610_: f32;
-    var phi_1620_: bool;
-    var phi_1621_: bool;
-    var phi_1625_: f32;
-    var phi_1626_: f32;
-    var phi_1627_: f32;
-    var phi_1628_: f32;
-    var phi_1636_: f32;
-    var phi_1651_: f32;
-    var phi_1652_: bool;
-    var phi_1653_: f32;
-    var phi_1654_: bool;
+    var phi_1446_: u32;
+    var phi_1449_: bool;
+    var phi_1493_: vec3<f32>;
+    var phi_1494_: vec3<f32>;
+    var phi_1523_: vec3<f32>;
+    var phi_1524_: vec3<f32>;
+    var phi_1553_: vec3<f32>;
+    var phi_1554_: vec3<f32>;
+    var phi_1572_: bool;
+    var phi_1573_: bool;
+    var phi_1577_: f32;
+    var phi_1578_: f32;
+    var phi_1579_: f32;
+    var phi_1580_: f32;
+    var phi_1588_: f32;
+    var phi_1598_: bool;
+    var phi_1599_: bool;
+    var phi_1603_: f32;
+    var phi_1604_: f32;
+    var phi_1605_: f32;
+    var phi_1606_: f32;
+    var phi_1614_: f32;
+    var phi_1624_: bool;
+    var phi_1625_: bool;
+    var phi_1629_: f32;
+    var phi_1630_: f32;
+    var phi_1631_: f32;
+    var phi_1632_: f32;
+    var phi_1640_: f32;
     var phi_1655_: f32;
     var phi_1656_: bool;
-    var phi_1674_: f32;
-    var phi_1675_: bool;
-    var phi_1676_: bool;
-    var phi_1677_: f32;
-    var phi_1678_: bool;
+    var phi_1657_: f32;
+    var phi_1658_: bool;
+    var phi_1659_: f32;
+    var phi_1660_: bool;
+    var phi_1678_: f32;
     var phi_1679_: bool;
+    var phi_1680_: bool;
+    var phi_1681_: f32;
+    var phi_1682_: bool;
     var phi_1683_: bool;
-    var phi_1684_: f32;
-    var phi_1685_: bool;
-    var phi_1713_: vec3<f32>;
-    var phi_1714_: vec3<f32>;
-    var phi_1739_: vec3<f32>;
-    var phi_1740_: vec3<f32>;
-    var phi_1765_: vec3<f32>;
-    var phi_1766_: vec3<f32>;
-    var phi_1822_: f32;
-    var phi_1831_: f32;
-    var phi_1840_: f32;
-    var phi_1849_: f32;
-    var phi_1856_: f32;
-    var phi_1863_: f32;
-    var phi_1876_: f32;
-    var phi_1885_: f32;
-    var phi_1894_: f32;
-    var phi_1903_: f32;
-    var phi_1910_: f32;
-    var phi_1917_: f32;
-    var phi_1934_: f32;
-    var phi_1939_: f32;
-    var phi_1944_: f32;
-    var phi_1952_: f32;
-    var phi_1957_: f32;
-    var phi_1962_: f32;
-    var phi_1974_: f32;
-    var phi_1979_: f32;
-    var phi_1984_: f32;
-    var phi_1989_: f32;
-    var phi_1994_: lt_bvh_triangle_Intersection;
-    var phi_1995_: bool;
-    var phi_1996_: lt_bvh_triangle_Intersection;
-    var phi_1997_: bool;
-    var phi_2001_: lt_bvh_triangle_Intersection;
-    var phi_2002_: bool;
-    var phi_2003_: lt_bvh_triangle_Intersection;
-    var phi_2004_: bool;
-    var phi_2005_: bool;
+    var phi_1687_: bool;
+    var phi_1688_: f32;
+    var phi_1689_: bool;
+    var phi_1717_: vec3<f32>;
+    var phi_1718_: vec3<f32>;
+    var phi_1743_: vec3<f32>;
+    var phi_1744_: vec3<f32>;
+    var phi_1769_: vec3<f32>;
+    var phi_1770_: vec3<f32>;
+    var phi_1826_: f32;
+    var phi_1835_: f32;
+    var phi_1844_: f32;
+    var phi_1853_: f32;
+    var phi_1860_: f32;
+    var phi_1867_: f32;
+    var phi_1880_: f32;
+    var phi_1889_: f32;
+    var phi_1898_: f32;
+    var phi_1907_: f32;
+    var phi_1914_: f32;
+    var phi_1921_: f32;
+    var phi_1938_: f32;
+    var phi_1943_: f32;
+    var phi_1948_: f32;
+    var phi_1956_: f32;
+    var phi_1961_: f32;
+    var phi_1966_: f32;
+    var phi_1978_: f32;
+    var phi_1983_: f32;
+    var phi_1988_: f32;
+    var phi_1993_: f32;
+    var phi_1998_: lt_bvh_triangle_Intersection;
+    var phi_1999_: bool;
+    var phi_2000_: lt_bvh_triangle_Intersection;
+    var phi_2001_: bool;
+    var phi_2005_: lt_bvh_triangle_Intersection;
+    var phi_2006_: bool;
+    var phi_2007_: lt_bvh_triangle_Intersection;
+    var phi_2008_: bool;
     var phi_2009_: bool;
-    var phi_2013_: lt_bvh_triangle_Intersection;
-    var phi_2227_: f32;
-    var phi_2230_: bool;
-    var phi_2231_: bool;
+    var phi_2013_: bool;
+    var phi_2017_: lt_bvh_triangle_Intersection;
+    var phi_2231_: f32;
+    var phi_2234_: bool;
     var phi_2235_: bool;
     var phi_2236_: bool;
-    var phi_2237_: bool;
-    var phi_2238_: bool;
-    var phi_2239_: bool;
     var phi_2240_: bool;
     var phi_2241_: bool;
     var phi_2242_: bool;
@@ -726,10 +725,11 @@ fn function_() {
     var phi_2244_: bool;
     var phi_2245_: bool;
     var phi_2246_: bool;
-    var phi_2250_: bool;
-    var phi_2251_: bool;
-    var phi_1445_: u32;
-    var phi_2252_: bool;
+    var phi_2247_: bool;
+    var phi_2248_: bool;
+    var phi_2249_: bool;
+    var phi_1447_: u32;
+    var phi_1450_: bool;
     var phi_2253_: bool;
     var phi_2254_: bool;
     var local_5: bool;
@@ -737,23 +737,19 @@ fn function_() {
     var phi_2297_: bool;
     var phi_2328_: u32;
     var phi_2329_: u32;
+    var phi_1115_: u32;
+    var phi_1118_: bool;
     var phi_2330_: bool;
     var phi_2331_: bool;
-    var phi_1115_: u32;
     var phi_2332_: bool;
-    var phi_2333_: bool;
-    var phi_2334_: bool;
-    var phi_2335_: bool;
     var local_6: bool;
-    var phi_2339_: bool;
+    var phi_2336_: bool;
     var phi_2340_: bool;
-    var phi_2344_: bool;
-    var phi_2348_: bool;
-    var phi_2349_: bool;
-    var phi_2350_: bool;
-    var phi_2351_: bool;
-    var phi_2355_: bool;
-    var phi_2359_: f32;
+    var phi_2341_: bool;
+    var phi_2342_: bool;
+    var phi_2343_: bool;
+    var phi_2347_: bool;
+    var phi_2351_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -909,7 +905,7 @@ fn function_() {
         if _e208 {
             let _e209 = (0u >= _e75);
             if _e209 {
-                phi_2349_ = bool();
+                phi_2341_ = bool();
             } else {
                 if (0u < _e75) {
                 } else {
@@ -1100,987 +1096,967 @@ fn function_() {
                 }
                 let _e519 = phi_1112_;
                 phi_1114_ = _e519;
+                phi_1117_ = false;
                 loop {
                     let _e521 = phi_1114_;
+                    let _e523 = phi_1117_;
+                    local_11 = _e523;
                     if (_e521 != 4294967295u) {
                         if (_e521 < _e75) {
                         } else {
                             return;
                         }
-                        let _e528 = nodes.member[(0u + _e521)].frame[3u];
-                        let _e553 = (bitcast<f32>((((_e528 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e285);
-                        let _e554 = (bitcast<f32>((((_e528 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e295);
-                        let _e555 = (bitcast<f32>((((_e528 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e305);
-                        let _e558 = nodes.member[(0u + _e521)].frame[0u];
-                        let _e562 = nodes.member[(0u + _e521)].frame[1u];
-                        let _e566 = nodes.member[(0u + _e521)].frame[2u];
-                        let _e571 = ((bitcast<f32>(_e558) - _e126) * _e285);
-                        let _e572 = ((bitcast<f32>(_e562) - _e128) * _e295);
-                        let _e573 = ((bitcast<f32>(_e566) - _e130) * _e305);
-                        let _e581 = nodes.member[(0u + _e521)].x;
+                        let _e530 = nodes.member[(0u + _e521)].frame[3u];
+                        let _e555 = (bitcast<f32>((((_e530 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e285);
+                        let _e556 = (bitcast<f32>((((_e530 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e295);
+                        let _e557 = (bitcast<f32>((((_e530 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e305);
+                        let _e560 = nodes.member[(0u + _e521)].frame[0u];
+                        let _e564 = nodes.member[(0u + _e521)].frame[1u];
+                        let _e568 = nodes.member[(0u + _e521)].frame[2u];
+                        let _e573 = ((bitcast<f32>(_e560) - _e126) * _e285);
+                        let _e574 = ((bitcast<f32>(_e564) - _e128) * _e295);
+                        let _e575 = ((bitcast<f32>(_e568) - _e130) * _e305);
+                        let _e583 = nodes.member[(0u + _e521)].x;
                         if (_e285 < 0f) {
-                            let _e592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e581.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e592.unnamed.root, _e581.w), _e592.unnamed_1);
-                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e598.unnamed, lt_bvh_traverse_Tree(_e581.x, _e598.unnamed_1.first_primitive));
-                            phi_1195_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e604.unnamed, lt_bvh_traverse_Tree(_e604.unnamed_1.root, _e581.y));
+                            let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e583.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.unnamed.root, _e583.w), _e594.unnamed_1);
+                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_bvh_traverse_Tree(_e583.x, _e600.unnamed_1.first_primitive));
+                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e583.y));
                         } else {
-                            let _e620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e581.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e620.unnamed.root, _e581.y), _e620.unnamed_1);
-                            let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e626.unnamed, lt_bvh_traverse_Tree(_e581.z, _e626.unnamed_1.first_primitive));
-                            phi_1195_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e632.unnamed, lt_bvh_traverse_Tree(_e632.unnamed_1.root, _e581.w));
+                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e583.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e622.unnamed.root, _e583.y), _e622.unnamed_1);
+                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_bvh_traverse_Tree(_e583.z, _e628.unnamed_1.first_primitive));
+                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e634.unnamed, lt_bvh_traverse_Tree(_e634.unnamed_1.root, _e583.w));
                         }
-                        let _e640 = phi_1195_;
-                        let _e650 = nodes.member[(0u + _e521)].y;
+                        let _e642 = phi_1197_;
+                        let _e652 = nodes.member[(0u + _e521)].y;
                         if (_e295 < 0f) {
-                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e650.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e661.unnamed.root, _e650.w), _e661.unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e667.unnamed, lt_bvh_traverse_Tree(_e650.x, _e667.unnamed_1.first_primitive));
-                            phi_1222_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_bvh_traverse_Tree(_e673.unnamed_1.root, _e650.y));
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e652.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.unnamed.root, _e652.w), _e663.unnamed_1);
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e652.x, _e669.unnamed_1.first_primitive));
+                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e652.y));
                         } else {
-                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e650.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e689.unnamed.root, _e650.y), _e689.unnamed_1);
-                            let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e695.unnamed, lt_bvh_traverse_Tree(_e650.z, _e695.unnamed_1.first_primitive));
-                            phi_1222_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e701.unnamed, lt_bvh_traverse_Tree(_e701.unnamed_1.root, _e650.w));
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e652.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e691.unnamed.root, _e652.y), _e691.unnamed_1);
+                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e652.z, _e697.unnamed_1.first_primitive));
+                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_bvh_traverse_Tree(_e703.unnamed_1.root, _e652.w));
                         }
-                        let _e709 = phi_1222_;
-                        let _e719 = nodes.member[(0u + _e521)].z;
+                        let _e711 = phi_1224_;
+                        let _e721 = nodes.member[(0u + _e521)].z;
                         if (_e305 < 0f) {
-                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e719.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e730.unnamed.root, _e719.w), _e730.unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e736.unnamed, lt_bvh_traverse_Tree(_e719.x, _e736.unnamed_1.first_primitive));
-                            phi_1249_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e742.unnamed_1.root, _e719.y));
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e721.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.unnamed.root, _e721.w), _e732.unnamed_1);
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e721.x, _e738.unnamed_1.first_primitive));
+                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e721.y));
                         } else {
-                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e719.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e758.unnamed.root, _e719.y), _e758.unnamed_1);
-                            let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e764.unnamed, lt_bvh_traverse_Tree(_e719.z, _e764.unnamed_1.first_primitive));
-                            phi_1249_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e770.unnamed, lt_bvh_traverse_Tree(_e770.unnamed_1.root, _e719.w));
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e721.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e760.unnamed.root, _e721.y), _e760.unnamed_1);
+                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e721.z, _e766.unnamed_1.first_primitive));
+                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_bvh_traverse_Tree(_e772.unnamed_1.root, _e721.w));
                         }
-                        let _e778 = phi_1249_;
-                        phi_1255_ = 0u;
-                        phi_1258_ = 0u;
+                        let _e780 = phi_1251_;
+                        phi_1257_ = 0u;
+                        phi_1260_ = 0u;
                         loop {
-                            let _e788 = phi_1255_;
-                            let _e790 = phi_1258_;
-                            local_2 = _e790;
-                            local_3 = _e790;
-                            local_4 = _e790;
-                            let _e791 = (_e788 < 8u);
-                            if _e791 {
-                                let _e793 = (_e788 >> bitcast<u32>(2i));
-                                let _e794 = (_e788 & 3u);
-                                if (_e793 == 0u) {
-                                    phi_1272_ = _e640.unnamed.root;
+                            let _e790 = phi_1257_;
+                            let _e792 = phi_1260_;
+                            local_2 = _e792;
+                            local_3 = _e792;
+                            local_4 = _e792;
+                            let _e793 = (_e790 < 8u);
+                            if _e793 {
+                                let _e795 = (_e790 >> bitcast<u32>(2i));
+                                let _e796 = (_e790 & 3u);
+                                if (_e795 == 0u) {
+                                    phi_1274_ = _e642.unnamed.root;
                                 } else {
-                                    phi_1272_ = _e640.unnamed.first_primitive;
+                                    phi_1274_ = _e642.unnamed.first_primitive;
                                 }
-                                let _e797 = phi_1272_;
-                                if (_e793 == 0u) {
-                                    phi_1282_ = _e709.unnamed.root;
+                                let _e799 = phi_1274_;
+                                if (_e795 == 0u) {
+                                    phi_1284_ = _e711.unnamed.root;
                                 } else {
-                                    phi_1282_ = _e709.unnamed.first_primitive;
+                                    phi_1284_ = _e711.unnamed.first_primitive;
                                 }
-                                let _e806 = phi_1282_;
-                                if (_e793 == 0u) {
-                                    phi_1292_ = _e778.unnamed.root;
+                                let _e808 = phi_1284_;
+                                if (_e795 == 0u) {
+                                    phi_1294_ = _e780.unnamed.root;
                                 } else {
-                                    phi_1292_ = _e778.unnamed.first_primitive;
+                                    phi_1294_ = _e780.unnamed.first_primitive;
                                 }
-                                let _e815 = phi_1292_;
-                                let _e828 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e797 >> bitcast<u32>(((_e794 * 8u) & 31u))) & 255u)) * _e553) + (_e571 - _e333)), ((f32(((_e806 >> bitcast<u32>(((_e794 * 8u) & 31u))) & 255u)) * _e554) + (_e572 - _e334)));
-                                let _e829 = core_intrinsics_maximum_number_nsz_f32_(_e828, ((f32(((_e815 >> bitcast<u32>(((_e794 * 8u) & 31u))) & 255u)) * _e555) + (_e573 - _e335)));
-                                if (_e793 == 0u) {
-                                    phi_1310_ = _e640.unnamed_1.root;
+                                let _e817 = phi_1294_;
+                                let _e830 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e799 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e555) + (_e573 - _e333)), ((f32(((_e808 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e556) + (_e574 - _e334)));
+                                let _e831 = core_intrinsics_maximum_number_nsz_f32_(_e830, ((f32(((_e817 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e557) + (_e575 - _e335)));
+                                if (_e795 == 0u) {
+                                    phi_1312_ = _e642.unnamed_1.root;
                                 } else {
-                                    phi_1310_ = _e640.unnamed_1.first_primitive;
+                                    phi_1312_ = _e642.unnamed_1.first_primitive;
                                 }
-                                let _e832 = phi_1310_;
-                                if (_e793 == 0u) {
-                                    phi_1320_ = _e709.unnamed_1.root;
+                                let _e834 = phi_1312_;
+                                if (_e795 == 0u) {
+                                    phi_1322_ = _e711.unnamed_1.root;
                                 } else {
-                                    phi_1320_ = _e709.unnamed_1.first_primitive;
+                                    phi_1322_ = _e711.unnamed_1.first_primitive;
                                 }
-                                let _e841 = phi_1320_;
-                                if (_e793 == 0u) {
-                                    phi_1330_ = _e778.unnamed_1.root;
+                                let _e843 = phi_1322_;
+                                if (_e795 == 0u) {
+                                    phi_1332_ = _e780.unnamed_1.root;
                                 } else {
-                                    phi_1330_ = _e778.unnamed_1.first_primitive;
+                                    phi_1332_ = _e780.unnamed_1.first_primitive;
                                 }
-                                let _e850 = phi_1330_;
-                                let _e863 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e832 >> bitcast<u32>(((_e794 * 8u) & 31u))) & 255u)) * _e553) + (_e571 + _e333)), ((f32(((_e841 >> bitcast<u32>(((_e794 * 8u) & 31u))) & 255u)) * _e554) + (_e572 + _e334)));
-                                let _e864 = core_intrinsics_minimum_number_nsz_f32_(_e863, ((f32(((_e850 >> bitcast<u32>(((_e794 * 8u) & 31u))) & 255u)) * _e555) + (_e573 + _e335)));
-                                if (_e829 <= _e864) {
-                                    if (_e829 <= _e136) {
-                                        if (_e864 >= 0f) {
-                                            if (_e793 == 0u) {
-                                                let _e871 = nodes.member[(0u + _e521)].links[2u];
-                                                phi_1366_ = _e871;
+                                let _e852 = phi_1332_;
+                                let _e865 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e834 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e555) + (_e573 + _e333)), ((f32(((_e843 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e556) + (_e574 + _e334)));
+                                let _e866 = core_intrinsics_minimum_number_nsz_f32_(_e865, ((f32(((_e852 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e557) + (_e575 + _e335)));
+                                if (_e831 <= _e866) {
+                                    if (_e831 <= _e136) {
+                                        if (_e866 >= 0f) {
+                                            if (_e795 == 0u) {
+                                                let _e873 = nodes.member[(0u + _e521)].links[2u];
+                                                phi_1368_ = _e873;
                                             } else {
-                                                let _e874 = nodes.member[(0u + _e521)].links[3u];
-                                                phi_1366_ = _e874;
+                                                let _e876 = nodes.member[(0u + _e521)].links[3u];
+                                                phi_1368_ = _e876;
                                             }
-                                            let _e876 = phi_1366_;
-                                            let _e881 = ((_e876 >> bitcast<u32>(((_e794 * 8u) & 31u))) & 255u);
-                                            let _e882 = (_e881 & 31u);
-                                            if (_e882 >= 24u) {
-                                                phi_1379_ = (24u + ((_e882 - 24u) ^ _e383));
+                                            let _e878 = phi_1368_;
+                                            let _e883 = ((_e878 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u);
+                                            let _e884 = (_e883 & 31u);
+                                            if (_e884 >= 24u) {
+                                                phi_1381_ = (24u + ((_e884 - 24u) ^ _e383));
                                             } else {
-                                                phi_1379_ = _e882;
+                                                phi_1381_ = _e884;
                                             }
-                                            let _e888 = phi_1379_;
-                                            phi_1384_ = (_e790 | ((_e881 >> bitcast<u32>(5i)) << bitcast<u32>((_e888 & 31u))));
+                                            let _e890 = phi_1381_;
+                                            phi_1386_ = (_e792 | ((_e883 >> bitcast<u32>(5i)) << bitcast<u32>((_e890 & 31u))));
                                         } else {
-                                            phi_1384_ = _e790;
+                                            phi_1386_ = _e792;
                                         }
-                                        let _e896 = phi_1384_;
-                                        phi_1385_ = _e896;
+                                        let _e898 = phi_1386_;
+                                        phi_1387_ = _e898;
                                     } else {
-                                        phi_1385_ = _e790;
+                                        phi_1387_ = _e792;
                                     }
-                                    let _e898 = phi_1385_;
-                                    phi_1386_ = _e898;
+                                    let _e900 = phi_1387_;
+                                    phi_1388_ = _e900;
                                 } else {
-                                    phi_1386_ = _e790;
+                                    phi_1388_ = _e792;
                                 }
-                                let _e900 = phi_1386_;
-                                phi_1256_ = (_e788 + 1u);
-                                phi_1259_ = _e900;
+                                let _e902 = phi_1388_;
+                                phi_1258_ = (_e790 + 1u);
+                                phi_1261_ = _e902;
                             } else {
-                                phi_1256_ = u32();
-                                phi_1259_ = u32();
+                                phi_1258_ = u32();
+                                phi_1261_ = u32();
                             }
-                            let _e903 = phi_1256_;
-                            let _e905 = phi_1259_;
+                            let _e905 = phi_1258_;
+                            let _e907 = phi_1261_;
                             continue;
                             continuing {
-                                phi_1255_ = _e903;
-                                phi_1258_ = _e905;
-                                break if !(_e791);
+                                phi_1257_ = _e905;
+                                phi_1260_ = _e907;
+                                break if !(_e793);
                             }
                         }
-                        let _e909 = nodes.member[(0u + _e521)].links[0u];
-                        let _e913 = nodes.member[(0u + _e521)].frame[3u];
-                        let _e917 = local_2;
-                        if ((_e917 & 4278190080u) == 0u) {
+                        let _e911 = nodes.member[(0u + _e521)].links[0u];
+                        let _e915 = nodes.member[(0u + _e521)].frame[3u];
+                        let _e919 = local_2;
+                        if ((_e919 & 4278190080u) == 0u) {
                         } else {
-                            let _e921 = local_1.group_mask;
-                            if ((_e921 & 4278190080u) == 0u) {
+                            let _e923 = local_1.group_mask;
+                            if ((_e923 & 4278190080u) == 0u) {
                             } else {
-                                let _e925 = local_1.len;
-                                if (_e925 < 32u) {
-                                    let _e928 = local_1.group;
-                                    let _e930 = local_1.len;
-                                    if (_e930 < 32u) {
+                                let _e927 = local_1.len;
+                                if (_e927 < 32u) {
+                                    let _e930 = local_1.group;
+                                    let _e932 = local_1.len;
+                                    if (_e932 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e930)] = _e928;
-                                    let _e936 = local_1.group_mask;
-                                    let _e938 = local_1.len;
-                                    if (_e938 < 32u) {
+                                    local_1.first[(0u + _e932)] = _e930;
+                                    let _e938 = local_1.group_mask;
+                                    let _e940 = local_1.len;
+                                    if (_e940 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e938)] = _e936;
-                                    let _e945 = local_1.len;
-                                    local_1.len = (_e945 + 1u);
+                                    local_1.mask[(0u + _e940)] = _e938;
+                                    let _e947 = local_1.len;
+                                    local_1.len = (_e947 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e909);
-                            let _e949 = local_3;
-                            local_1.group_mask = ((_e949 & 4278190080u) | (_e913 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e911);
+                            let _e951 = local_3;
+                            local_1.group_mask = ((_e951 & 4278190080u) | (_e915 >> bitcast<u32>(24i)));
                         }
-                        let _e954 = local_4;
-                        phi_1444_ = (_e954 & 16777215u);
+                        let _e956 = local_4;
+                        phi_1446_ = (_e956 & 16777215u);
+                        phi_1449_ = _e523;
                         loop {
-                            let _e957 = phi_1444_;
-                            let _e958 = (_e957 == 0u);
-                            local_5 = _e958;
-                            local_9 = _e958;
-                            if _e958 {
-                                phi_1445_ = u32();
-                                phi_2252_ = false;
-                                phi_2253_ = false;
+                            let _e959 = phi_1446_;
+                            let _e961 = phi_1449_;
+                            local_7 = _e961;
+                            let _e962 = (_e959 == 0u);
+                            local_5 = _e962;
+                            local_9 = _e962;
+                            if _e962 {
+                                phi_1447_ = u32();
+                                phi_1450_ = bool();
+                                phi_2253_ = bool();
                                 phi_2254_ = false;
                             } else {
-                                let _e961 = nodes.member[(0u + _e521)].links[1u];
-                                let _e966 = ((0u + _e961) + select(firstTrailingBit(_e957), 32u, (_e957 == 0u)));
-                                if (_e966 < _e78) {
+                                let _e965 = nodes.member[(0u + _e521)].links[1u];
+                                let _e970 = ((0u + _e965) + select(firstTrailingBit(_e959), 32u, (_e959 == 0u)));
+                                if (_e970 < _e78) {
                                 } else {
                                     return;
                                 }
-                                let _e973 = triangles.member[(0u + _e966)].v0_;
-                                let _e975 = (_e973.x - _e126);
-                                let _e977 = (_e973.y - _e128);
-                                let _e979 = (_e973.z - _e130);
+                                let _e977 = triangles.member[(0u + _e970)].v0_;
+                                let _e979 = (_e977.x - _e126);
+                                let _e981 = (_e977.y - _e128);
+                                let _e983 = (_e977.z - _e130);
                                 if (_e356 == 0u) {
-                                    phi_1490_ = vec3<f32>(_e977, _e979, _e975);
+                                    phi_1494_ = vec3<f32>(_e981, _e983, _e979);
                                 } else {
                                     if (_e356 == 1u) {
-                                        phi_1489_ = vec3<f32>(_e979, _e975, _e977);
+                                        phi_1493_ = vec3<f32>(_e983, _e979, _e981);
                                     } else {
-                                        phi_1489_ = (_e973 - vec3<f32>(_e126, _e128, _e130));
+                                        phi_1493_ = (_e977 - vec3<f32>(_e126, _e128, _e130));
                                     }
-                                    let _e987 = phi_1489_;
-                                    phi_1490_ = _e987;
+                                    let _e991 = phi_1493_;
+                                    phi_1494_ = _e991;
                                 }
-                                let _e989 = phi_1490_;
-                                let _e993 = (_e989.x - (_e367 * _e989.z));
-                                let _e997 = (_e989.y - (_e370 * _e989.z));
-                                let _e999 = triangles.member[(0u + _e966)].v1_;
-                                let _e1001 = (_e999.x - _e126);
-                                let _e1003 = (_e999.y - _e128);
-                                let _e1005 = (_e999.z - _e130);
+                                let _e993 = phi_1494_;
+                                let _e997 = (_e993.x - (_e367 * _e993.z));
+                                let _e1001 = (_e993.y - (_e370 * _e993.z));
+                                let _e1003 = triangles.member[(0u + _e970)].v1_;
+                                let _e1005 = (_e1003.x - _e126);
+                                let _e1007 = (_e1003.y - _e128);
+                                let _e1009 = (_e1003.z - _e130);
                                 if (_e356 == 0u) {
-                                    phi_1520_ = vec3<f32>(_e1003, _e1005, _e1001);
+                                    phi_1524_ = vec3<f32>(_e1007, _e1009, _e1005);
                                 } else {
                                     if (_e356 == 1u) {
-                                        phi_1519_ = vec3<f32>(_e1005, _e1001, _e1003);
+                                        phi_1523_ = vec3<f32>(_e1009, _e1005, _e1007);
                                     } else {
-                                        phi_1519_ = (_e999 - vec3<f32>(_e126, _e128, _e130));
+                                        phi_1523_ = (_e1003 - vec3<f32>(_e126, _e128, _e130));
                                     }
-                                    let _e1013 = phi_1519_;
-                                    phi_1520_ = _e1013;
+                                    let _e1017 = phi_1523_;
+                                    phi_1524_ = _e1017;
                                 }
-                                let _e1015 = phi_1520_;
-                                let _e1019 = (_e1015.x - (_e367 * _e1015.z));
-                                let _e1023 = (_e1015.y - (_e370 * _e1015.z));
-                                let _e1025 = triangles.member[(0u + _e966)].v2_;
-                                let _e1027 = (_e1025.x - _e126);
-                                let _e1029 = (_e1025.y - _e128);
-                                let _e1031 = (_e1025.z - _e130);
+                                let _e1019 = phi_1524_;
+                                let _e1023 = (_e1019.x - (_e367 * _e1019.z));
+                                let _e1027 = (_e1019.y - (_e370 * _e1019.z));
+                                let _e1029 = triangles.member[(0u + _e970)].v2_;
+                                let _e1031 = (_e1029.x - _e126);
+                                let _e1033 = (_e1029.y - _e128);
+                                let _e1035 = (_e1029.z - _e130);
                                 if (_e356 == 0u) {
-                                    phi_1550_ = vec3<f32>(_e1029, _e1031, _e1027);
+                                    phi_1554_ = vec3<f32>(_e1033, _e1035, _e1031);
                                 } else {
                                     if (_e356 == 1u) {
-                                        phi_1549_ = vec3<f32>(_e1031, _e1027, _e1029);
+                                        phi_1553_ = vec3<f32>(_e1035, _e1031, _e1033);
                                     } else {
-                                        phi_1549_ = (_e1025 - vec3<f32>(_e126, _e128, _e130));
+                                        phi_1553_ = (_e1029 - vec3<f32>(_e126, _e128, _e130));
                                     }
-                                    let _e1039 = phi_1549_;
-                                    phi_1550_ = _e1039;
+                                    let _e1043 = phi_1553_;
+                                    phi_1554_ = _e1043;
                                 }
-                                let _e1041 = phi_1550_;
-                                let _e1045 = (_e1041.x - (_e367 * _e1041.z));
-                                let _e1049 = (_e1041.y - (_e370 * _e1041.z));
-                                if (_e1019 < _e1045) {
-                                    phi_1569_ = true;
+                                let _e1045 = phi_1554_;
+                                let _e1049 = (_e1045.x - (_e367 * _e1045.z));
+                                let _e1053 = (_e1045.y - (_e370 * _e1045.z));
+                                if (_e1023 < _e1049) {
+                                    phi_1573_ = true;
                                 } else {
-                                    if (_e1019 == _e1045) {
-                                        phi_1568_ = (_e1023 < _e1049);
+                                    if (_e1023 == _e1049) {
+                                        phi_1572_ = (_e1027 < _e1053);
                                     } else {
-                                        phi_1568_ = false;
+                                        phi_1572_ = false;
                                     }
-                                    let _e1054 = phi_1568_;
-                                    phi_1569_ = _e1054;
+                                    let _e1058 = phi_1572_;
+                                    phi_1573_ = _e1058;
                                 }
-                                let _e1056 = phi_1569_;
-                                if _e1056 {
-                                    phi_1573_ = _e1049;
-                                    phi_1574_ = _e1045;
-                                    phi_1575_ = _e1023;
-                                    phi_1576_ = _e1019;
+                                let _e1060 = phi_1573_;
+                                if _e1060 {
+                                    phi_1577_ = _e1053;
+                                    phi_1578_ = _e1049;
+                                    phi_1579_ = _e1027;
+                                    phi_1580_ = _e1023;
                                 } else {
-                                    phi_1573_ = _e1023;
-                                    phi_1574_ = _e1019;
-                                    phi_1575_ = _e1049;
-                                    phi_1576_ = _e1045;
+                                    phi_1577_ = _e1027;
+                                    phi_1578_ = _e1023;
+                                    phi_1579_ = _e1053;
+                                    phi_1580_ = _e1049;
                                 }
-                                let _e1058 = phi_1573_;
-                                let _e1060 = phi_1574_;
-                                let _e1062 = phi_1575_;
-                                let _e1064 = phi_1576_;
-                                let _e1067 = ((_e1064 * _e1058) - (_e1062 * _e1060));
-                                if _e1056 {
-                                    phi_1584_ = -(_e1067);
+                                let _e1062 = phi_1577_;
+                                let _e1064 = phi_1578_;
+                                let _e1066 = phi_1579_;
+                                let _e1068 = phi_1580_;
+                                let _e1071 = ((_e1068 * _e1062) - (_e1066 * _e1064));
+                                if _e1060 {
+                                    phi_1588_ = -(_e1071);
                                 } else {
-                                    phi_1584_ = _e1067;
+                                    phi_1588_ = _e1071;
                                 }
-                                let _e1070 = phi_1584_;
-                                if (_e1045 < _e993) {
-                                    phi_1595_ = true;
+                                let _e1074 = phi_1588_;
+                                if (_e1049 < _e997) {
+                                    phi_1599_ = true;
                                 } else {
-                                    if (_e1045 == _e993) {
-                                        phi_1594_ = (_e1049 < _e997);
+                                    if (_e1049 == _e997) {
+                                        phi_1598_ = (_e1053 < _e1001);
                                     } else {
-                                        phi_1594_ = false;
+                                        phi_1598_ = false;
                                     }
-                                    let _e1075 = phi_1594_;
-                                    phi_1595_ = _e1075;
+                                    let _e1079 = phi_1598_;
+                                    phi_1599_ = _e1079;
                                 }
-                                let _e1077 = phi_1595_;
-                                if _e1077 {
-                                    phi_1599_ = _e997;
-                                    phi_1600_ = _e993;
-                                    phi_1601_ = _e1049;
-                                    phi_1602_ = _e1045;
+                                let _e1081 = phi_1599_;
+                                if _e1081 {
+                                    phi_1603_ = _e1001;
+                                    phi_1604_ = _e997;
+                                    phi_1605_ = _e1053;
+                                    phi_1606_ = _e1049;
                                 } else {
-                                    phi_1599_ = _e1049;
-                                    phi_1600_ = _e1045;
-                                    phi_1601_ = _e997;
-                                    phi_1602_ = _e993;
+                                    phi_1603_ = _e1053;
+                                    phi_1604_ = _e1049;
+                                    phi_1605_ = _e1001;
+                                    phi_1606_ = _e997;
                                 }
-                                let _e1079 = phi_1599_;
-                                let _e1081 = phi_1600_;
-                                let _e1083 = phi_1601_;
-                                let _e1085 = phi_1602_;
-                                let _e1088 = ((_e1085 * _e1079) - (_e1083 * _e1081));
-                                if _e1077 {
-                                    phi_1610_ = -(_e1088);
+                                let _e1083 = phi_1603_;
+                                let _e1085 = phi_1604_;
+                                let _e1087 = phi_1605_;
+                                let _e1089 = phi_1606_;
+                                let _e1092 = ((_e1089 * _e1083) - (_e1087 * _e1085));
+                                if _e1081 {
+                                    phi_1614_ = -(_e1092);
                                 } else {
-                                    phi_1610_ = _e1088;
+                                    phi_1614_ = _e1092;
                                 }
-                                let _e1091 = phi_1610_;
-                                if (_e993 < _e1019) {
-                                    phi_1621_ = true;
+                                let _e1095 = phi_1614_;
+                                if (_e997 < _e1023) {
+                                    phi_1625_ = true;
                                 } else {
-                                    if (_e993 == _e1019) {
-                                        phi_1620_ = (_e997 < _e1023);
+                                    if (_e997 == _e1023) {
+                                        phi_1624_ = (_e1001 < _e1027);
                                     } else {
-                                        phi_1620_ = false;
+                                        phi_1624_ = false;
                                     }
-                                    let _e1096 = phi_1620_;
-                                    phi_1621_ = _e1096;
+                                    let _e1100 = phi_1624_;
+                                    phi_1625_ = _e1100;
                                 }
-                                let _e1098 = phi_1621_;
-                                if _e1098 {
-                                    phi_1625_ = _e1023;
-                                    phi_1626_ = _e1019;
-                                    phi_1627_ = _e997;
-                                    phi_1628_ = _e993;
+                                let _e1102 = phi_1625_;
+                                if _e1102 {
+                                    phi_1629_ = _e1027;
+                                    phi_1630_ = _e1023;
+                                    phi_1631_ = _e1001;
+                                    phi_1632_ = _e997;
                                 } else {
-                                    phi_1625_ = _e997;
-                                    phi_1626_ = _e993;
-                                    phi_1627_ = _e1023;
-                                    phi_1628_ = _e1019;
+                                    phi_1629_ = _e1001;
+                                    phi_1630_ = _e997;
+                                    phi_1631_ = _e1027;
+                                    phi_1632_ = _e1023;
                                 }
-                                let _e1100 = phi_1625_;
-                                let _e1102 = phi_1626_;
-                                let _e1104 = phi_1627_;
-                                let _e1106 = phi_1628_;
-                                let _e1109 = ((_e1106 * _e1100) - (_e1104 * _e1102));
-                                if _e1098 {
-                                    phi_1636_ = -(_e1109);
+                                let _e1104 = phi_1629_;
+                                let _e1106 = phi_1630_;
+                                let _e1108 = phi_1631_;
+                                let _e1110 = phi_1632_;
+                                let _e1113 = ((_e1110 * _e1104) - (_e1108 * _e1106));
+                                if _e1102 {
+                                    phi_1640_ = -(_e1113);
                                 } else {
-                                    phi_1636_ = _e1109;
+                                    phi_1640_ = _e1113;
                                 }
-                                let _e1112 = phi_1636_;
-                                if (_e1070 >= 0f) {
-                                    if (_e1091 >= 0f) {
-                                        if (_e1112 >= 0f) {
-                                            phi_1651_ = ((_e1070 + _e1091) + _e1112);
-                                            phi_1652_ = false;
+                                let _e1116 = phi_1640_;
+                                if (_e1074 >= 0f) {
+                                    if (_e1095 >= 0f) {
+                                        if (_e1116 >= 0f) {
+                                            phi_1655_ = ((_e1074 + _e1095) + _e1116);
+                                            phi_1656_ = false;
                                         } else {
-                                            phi_1651_ = f32();
-                                            phi_1652_ = true;
+                                            phi_1655_ = f32();
+                                            phi_1656_ = true;
                                         }
-                                        let _e1119 = phi_1651_;
-                                        let _e1121 = phi_1652_;
-                                        phi_1653_ = _e1119;
-                                        phi_1654_ = _e1121;
+                                        let _e1123 = phi_1655_;
+                                        let _e1125 = phi_1656_;
+                                        phi_1657_ = _e1123;
+                                        phi_1658_ = _e1125;
                                     } else {
-                                        phi_1653_ = f32();
-                                        phi_1654_ = true;
+                                        phi_1657_ = f32();
+                                        phi_1658_ = true;
                                     }
-                                    let _e1123 = phi_1653_;
-                                    let _e1125 = phi_1654_;
-                                    phi_1655_ = _e1123;
-                                    phi_1656_ = _e1125;
+                                    let _e1127 = phi_1657_;
+                                    let _e1129 = phi_1658_;
+                                    phi_1659_ = _e1127;
+                                    phi_1660_ = _e1129;
                                 } else {
-                                    phi_1655_ = f32();
-                                    phi_1656_ = true;
+                                    phi_1659_ = f32();
+                                    phi_1660_ = true;
                                 }
-                                let _e1127 = phi_1655_;
-                                let _e1129 = phi_1656_;
-                                if _e1129 {
-                                    if (_e1070 <= 0f) {
-                                        if (_e1091 <= 0f) {
-                                            let _e1132 = (_e1112 <= 0f);
-                                            if _e1132 {
+                                let _e1131 = phi_1659_;
+                                let _e1133 = phi_1660_;
+                                if _e1133 {
+                                    if (_e1074 <= 0f) {
+                                        if (_e1095 <= 0f) {
+                                            let _e1136 = (_e1116 <= 0f);
+                                            if _e1136 {
                                             }
-                                            phi_1674_ = ((_e1070 + _e1091) + _e1112);
-                                            phi_1675_ = false;
-                                            phi_1676_ = _e1132;
+                                            phi_1678_ = ((_e1074 + _e1095) + _e1116);
+                                            phi_1679_ = false;
+                                            phi_1680_ = _e1136;
                                         } else {
-                                            phi_1674_ = f32();
-                                            phi_1675_ = true;
-                                            phi_1676_ = false;
+                                            phi_1678_ = f32();
+                                            phi_1679_ = true;
+                                            phi_1680_ = false;
                                         }
-                                        let _e1136 = phi_1674_;
-                                        let _e1138 = phi_1675_;
-                                        let _e1140 = phi_1676_;
-                                        phi_1677_ = _e1136;
-                                        phi_1678_ = _e1138;
-                                        phi_1679_ = _e1140;
+                                        let _e1140 = phi_1678_;
+                                        let _e1142 = phi_1679_;
+                                        let _e1144 = phi_1680_;
+                                        phi_1681_ = _e1140;
+                                        phi_1682_ = _e1142;
+                                        phi_1683_ = _e1144;
                                     } else {
-                                        phi_1677_ = f32();
-                                        phi_1678_ = true;
-                                        phi_1679_ = false;
-                                    }
-                                    let _e1142 = phi_1677_;
-                                    let _e1144 = phi_1678_;
-                                    let _e1146 = phi_1679_;
-                                    if _e1144 {
+                                        phi_1681_ = f32();
+                                        phi_1682_ = true;
                                         phi_1683_ = false;
-                                    } else {
-                                        phi_1683_ = _e1146;
                                     }
-                                    let _e1148 = phi_1683_;
-                                    phi_1684_ = _e1142;
-                                    phi_1685_ = _e1148;
-                                } else {
-                                    phi_1684_ = _e1127;
-                                    phi_1685_ = true;
-                                }
-                                let _e1150 = phi_1684_;
-                                let _e1152 = phi_1685_;
-                                if _e1152 {
-                                    let _e1153 = (_e1150 == 0f);
-                                    if _e1153 {
-                                        phi_2001_ = lt_bvh_triangle_Intersection();
-                                        phi_2002_ = false;
+                                    let _e1146 = phi_1681_;
+                                    let _e1148 = phi_1682_;
+                                    let _e1150 = phi_1683_;
+                                    if _e1148 {
+                                        phi_1687_ = false;
                                     } else {
-                                        let _e1155 = triangles.member[(0u + _e966)].v0_;
-                                        let _e1157 = (_e1155.x - _e126);
-                                        let _e1159 = (_e1155.y - _e128);
-                                        let _e1161 = (_e1155.z - _e130);
-                                        if (_e356 == 0u) {
-                                            phi_1714_ = vec3<f32>(_e1159, _e1161, _e1157);
-                                        } else {
-                                            if (_e356 == 1u) {
-                                                phi_1713_ = vec3<f32>(_e1161, _e1157, _e1159);
-                                            } else {
-                                                phi_1713_ = (_e1155 - vec3<f32>(_e126, _e128, _e130));
-                                            }
-                                            let _e1169 = phi_1713_;
-                                            phi_1714_ = _e1169;
-                                        }
-                                        let _e1171 = phi_1714_;
-                                        let _e1173 = triangles.member[(0u + _e966)].v1_;
-                                        let _e1175 = triangles.member[(0u + _e966)].v0_;
-                                        let _e1178 = (_e1173.x - _e1175.x);
-                                        let _e1181 = (_e1173.y - _e1175.y);
-                                        let _e1184 = (_e1173.z - _e1175.z);
-                                        if (_e356 == 0u) {
-                                            phi_1740_ = vec3<f32>(_e1181, _e1184, _e1178);
-                                        } else {
-                                            if (_e356 == 1u) {
-                                                phi_1739_ = vec3<f32>(_e1184, _e1178, _e1181);
-                                            } else {
-                                                phi_1739_ = (_e1173 - _e1175);
-                                            }
-                                            let _e1191 = phi_1739_;
-                                            phi_1740_ = _e1191;
-                                        }
-                                        let _e1193 = phi_1740_;
-                                        let _e1195 = triangles.member[(0u + _e966)].v2_;
-                                        let _e1197 = triangles.member[(0u + _e966)].v0_;
-                                        let _e1200 = (_e1195.x - _e1197.x);
-                                        let _e1203 = (_e1195.y - _e1197.y);
-                                        let _e1206 = (_e1195.z - _e1197.z);
-                                        if (_e356 == 0u) {
-                                            phi_1766_ = vec3<f32>(_e1203, _e1206, _e1200);
-                                        } else {
-                                            if (_e356 == 1u) {
-                                                phi_1765_ = vec3<f32>(_e1206, _e1200, _e1203);
-                                            } else {
-                                                phi_1765_ = (_e1195 - _e1197);
-                                            }
-                                            let _e1213 = phi_1765_;
-                                            phi_1766_ = _e1213;
-                                        }
-                                        let _e1215 = phi_1766_;
-                                        let _e1222 = ((_e1193.y * _e1215.z) - (_e1193.z * _e1215.y));
-                                        let _e1229 = ((_e1193.z * _e1215.x) - (_e1193.x * _e1215.z));
-                                        let _e1236 = ((_e1193.x * _e1215.y) - (_e1193.y * _e1215.x));
-                                        let _e1250 = (((1f / _e364.z) * (((_e1222 * _e1171.x) + (_e1229 * _e1171.y)) + (_e1236 * _e1171.z))) / (((_e1222 * _e367) + (_e1229 * _e370)) + _e1236));
-                                        if (_e1250 > 0f) {
-                                            if (_e1250 < _e136) {
-                                                let _e1254 = triangles.member[(0u + _e966)].v0_;
-                                                let _e1256 = triangles.member[(0u + _e966)].v1_;
-                                                if (_e1254.x < _e1256.x) {
-                                                    phi_1822_ = _e1254.x;
-                                                } else {
-                                                    phi_1822_ = _e1256.x;
-                                                }
-                                                let _e1263 = phi_1822_;
-                                                if (_e1254.y < _e1256.y) {
-                                                    phi_1831_ = _e1254.y;
-                                                } else {
-                                                    phi_1831_ = _e1256.y;
-                                                }
-                                                let _e1270 = phi_1831_;
-                                                if (_e1254.z < _e1256.z) {
-                                                    phi_1840_ = _e1254.z;
-                                                } else {
-                                                    phi_1840_ = _e1256.z;
-                                                }
-                                                let _e1277 = phi_1840_;
-                                                let _e1279 = triangles.member[(0u + _e966)].v2_;
-                                                if (_e1263 < _e1279.x) {
-                                                    phi_1849_ = _e1263;
-                                                } else {
-                                                    phi_1849_ = _e1279.x;
-                                                }
-                                                let _e1284 = phi_1849_;
-                                                if (_e1270 < _e1279.y) {
-                                                    phi_1856_ = _e1270;
-                                                } else {
-                                                    phi_1856_ = _e1279.y;
-                                                }
-                                                let _e1289 = phi_1856_;
-                                                if (_e1277 < _e1279.z) {
-                                                    phi_1863_ = _e1277;
-                                                } else {
-                                                    phi_1863_ = _e1279.z;
-                                                }
-                                                let _e1294 = phi_1863_;
-                                                let _e1296 = triangles.member[(0u + _e966)].v0_;
-                                                let _e1298 = triangles.member[(0u + _e966)].v1_;
-                                                if (_e1296.x > _e1298.x) {
-                                                    phi_1876_ = _e1296.x;
-                                                } else {
-                                                    phi_1876_ = _e1298.x;
-                                                }
-                                                let _e1305 = phi_1876_;
-                                                if (_e1296.y > _e1298.y) {
-                                                    phi_1885_ = _e1296.y;
-                                                } else {
-                                                    phi_1885_ = _e1298.y;
-                                                }
-                                                let _e1312 = phi_1885_;
-                                                if (_e1296.z > _e1298.z) {
-                                                    phi_1894_ = _e1296.z;
-                                                } else {
-                                                    phi_1894_ = _e1298.z;
-                                                }
-                                                let _e1319 = phi_1894_;
-                                                let _e1321 = triangles.member[(0u + _e966)].v2_;
-                                                if (_e1305 > _e1321.x) {
-                                                    phi_1903_ = _e1305;
-                                                } else {
-                                                    phi_1903_ = _e1321.x;
-                                                }
-                                                let _e1326 = phi_1903_;
-                                                if (_e1312 > _e1321.y) {
-                                                    phi_1910_ = _e1312;
-                                                } else {
-                                                    phi_1910_ = _e1321.y;
-                                                }
-                                                let _e1331 = phi_1910_;
-                                                if (_e1319 > _e1321.z) {
-                                                    phi_1917_ = _e1319;
-                                                } else {
-                                                    phi_1917_ = _e1321.z;
-                                                }
-                                                let _e1336 = phi_1917_;
-                                                let _e1340 = ((_e1284 - _e126) * _e285);
-                                                let _e1341 = ((_e1289 - _e128) * _e295);
-                                                let _e1342 = ((_e1294 - _e130) * _e305);
-                                                let _e1346 = ((_e1326 - _e126) * _e285);
-                                                let _e1347 = ((_e1331 - _e128) * _e295);
-                                                let _e1348 = ((_e1336 - _e130) * _e305);
-                                                if (_e1340 < _e1346) {
-                                                    phi_1934_ = _e1340;
-                                                } else {
-                                                    phi_1934_ = _e1346;
-                                                }
-                                                let _e1351 = phi_1934_;
-                                                if (_e1341 < _e1347) {
-                                                    phi_1939_ = _e1341;
-                                                } else {
-                                                    phi_1939_ = _e1347;
-                                                }
-                                                let _e1354 = phi_1939_;
-                                                if (_e1342 < _e1348) {
-                                                    phi_1944_ = _e1342;
-                                                } else {
-                                                    phi_1944_ = _e1348;
-                                                }
-                                                let _e1357 = phi_1944_;
-                                                if (_e1340 > _e1346) {
-                                                    phi_1952_ = _e1340;
-                                                } else {
-                                                    phi_1952_ = _e1346;
-                                                }
-                                                let _e1363 = phi_1952_;
-                                                if (_e1341 > _e1347) {
-                                                    phi_1957_ = _e1341;
-                                                } else {
-                                                    phi_1957_ = _e1347;
-                                                }
-                                                let _e1366 = phi_1957_;
-                                                if (_e1342 > _e1348) {
-                                                    phi_1962_ = _e1342;
-                                                } else {
-                                                    phi_1962_ = _e1348;
-                                                }
-                                                let _e1369 = phi_1962_;
-                                                let _e1373 = core_intrinsics_maximum_number_nsz_f32_((_e1351 - _e340), (_e1354 - _e341));
-                                                let _e1374 = core_intrinsics_maximum_number_nsz_f32_(_e1373, (_e1357 - _e342));
-                                                let _e1375 = core_intrinsics_minimum_number_nsz_f32_((_e1363 + _e340), (_e1366 + _e341));
-                                                let _e1376 = core_intrinsics_minimum_number_nsz_f32_(_e1375, (_e1369 + _e342));
-                                                if (_e1374 > -300000000000000000000000000000000000000f) {
-                                                    phi_1974_ = _e1374;
-                                                } else {
-                                                    phi_1974_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1379 = phi_1974_;
-                                                if (_e1376 < 300000000000000000000000000000000000000f) {
-                                                    phi_1979_ = _e1376;
-                                                } else {
-                                                    phi_1979_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1382 = phi_1979_;
-                                                if (_e1250 < _e1379) {
-                                                    phi_1984_ = _e1379;
-                                                } else {
-                                                    phi_1984_ = _e1250;
-                                                }
-                                                let _e1385 = phi_1984_;
-                                                if (_e1385 > _e1382) {
-                                                    phi_1989_ = _e1382;
-                                                } else {
-                                                    phi_1989_ = _e1385;
-                                                }
-                                                let _e1388 = phi_1989_;
-                                                phi_1994_ = lt_bvh_triangle_Intersection(_e1388, (_e1091 / _e1150), (_e1112 / _e1150), (_e1379 <= _e1382));
-                                                phi_1995_ = false;
-                                            } else {
-                                                phi_1994_ = lt_bvh_triangle_Intersection();
-                                                phi_1995_ = true;
-                                            }
-                                            let _e1394 = phi_1994_;
-                                            let _e1396 = phi_1995_;
-                                            phi_1996_ = _e1394;
-                                            phi_1997_ = _e1396;
-                                        } else {
-                                            phi_1996_ = lt_bvh_triangle_Intersection();
-                                            phi_1997_ = true;
-                                        }
-                                        let _e1398 = phi_1996_;
-                                        let _e1400 = phi_1997_;
-                                        if _e1400 {
-                                        }
-                                        phi_2001_ = _e1398;
-                                        phi_2002_ = _e1400;
+                                        phi_1687_ = _e1150;
                                     }
-                                    let _e1402 = phi_2001_;
-                                    let _e1404 = phi_2002_;
-                                    phi_2003_ = _e1402;
-                                    phi_2004_ = _e1153;
-                                    phi_2005_ = _e1404;
+                                    let _e1152 = phi_1687_;
+                                    phi_1688_ = _e1146;
+                                    phi_1689_ = _e1152;
                                 } else {
-                                    phi_2003_ = lt_bvh_triangle_Intersection();
-                                    phi_2004_ = true;
-                                    phi_2005_ = false;
+                                    phi_1688_ = _e1131;
+                                    phi_1689_ = true;
                                 }
-                                let _e1406 = phi_2003_;
-                                let _e1408 = phi_2004_;
-                                let _e1410 = phi_2005_;
-                                if _e1408 {
-                                    phi_2009_ = true;
+                                let _e1154 = phi_1688_;
+                                let _e1156 = phi_1689_;
+                                if _e1156 {
+                                    let _e1157 = (_e1154 == 0f);
+                                    if _e1157 {
+                                        phi_2005_ = lt_bvh_triangle_Intersection();
+                                        phi_2006_ = false;
+                                    } else {
+                                        let _e1159 = triangles.member[(0u + _e970)].v0_;
+                                        let _e1161 = (_e1159.x - _e126);
+                                        let _e1163 = (_e1159.y - _e128);
+                                        let _e1165 = (_e1159.z - _e130);
+                                        if (_e356 == 0u) {
+                                            phi_1718_ = vec3<f32>(_e1163, _e1165, _e1161);
+                                        } else {
+                                            if (_e356 == 1u) {
+                                                phi_1717_ = vec3<f32>(_e1165, _e1161, _e1163);
+                                            } else {
+                                                phi_1717_ = (_e1159 - vec3<f32>(_e126, _e128, _e130));
+                                            }
+                                            let _e1173 = phi_1717_;
+                                            phi_1718_ = _e1173;
+                                        }
+                                        let _e1175 = phi_1718_;
+                                        let _e1177 = triangles.member[(0u + _e970)].v1_;
+                                        let _e1179 = triangles.member[(0u + _e970)].v0_;
+                                        let _e1182 = (_e1177.x - _e1179.x);
+                                        let _e1185 = (_e1177.y - _e1179.y);
+                                        let _e1188 = (_e1177.z - _e1179.z);
+                                        if (_e356 == 0u) {
+                                            phi_1744_ = vec3<f32>(_e1185, _e1188, _e1182);
+                                        } else {
+                                            if (_e356 == 1u) {
+                                                phi_1743_ = vec3<f32>(_e1188, _e1182, _e1185);
+                                            } else {
+                                                phi_1743_ = (_e1177 - _e1179);
+                                            }
+                                            let _e1195 = phi_1743_;
+                                            phi_1744_ = _e1195;
+                                        }
+                                        let _e1197 = phi_1744_;
+                                        let _e1199 = triangles.member[(0u + _e970)].v2_;
+                                        let _e1201 = triangles.member[(0u + _e970)].v0_;
+                                        let _e1204 = (_e1199.x - _e1201.x);
+                                        let _e1207 = (_e1199.y - _e1201.y);
+                                        let _e1210 = (_e1199.z - _e1201.z);
+                                        if (_e356 == 0u) {
+                                            phi_1770_ = vec3<f32>(_e1207, _e1210, _e1204);
+                                        } else {
+                                            if (_e356 == 1u) {
+                                                phi_1769_ = vec3<f32>(_e1210, _e1204, _e1207);
+                                            } else {
+                                                phi_1769_ = (_e1199 - _e1201);
+                                            }
+                                            let _e1217 = phi_1769_;
+                                            phi_1770_ = _e1217;
+                                        }
+                                        let _e1219 = phi_1770_;
+                                        let _e1226 = ((_e1197.y * _e1219.z) - (_e1197.z * _e1219.y));
+                                        let _e1233 = ((_e1197.z * _e1219.x) - (_e1197.x * _e1219.z));
+                                        let _e1240 = ((_e1197.x * _e1219.y) - (_e1197.y * _e1219.x));
+                                        let _e1254 = (((1f / _e364.z) * (((_e1226 * _e1175.x) + (_e1233 * _e1175.y)) + (_e1240 * _e1175.z))) / (((_e1226 * _e367) + (_e1233 * _e370)) + _e1240));
+                                        if (_e1254 > 0f) {
+                                            if (_e1254 < _e136) {
+                                                let _e1258 = triangles.member[(0u + _e970)].v0_;
+                                                let _e1260 = triangles.member[(0u + _e970)].v1_;
+                                                if (_e1258.x < _e1260.x) {
+                                                    phi_1826_ = _e1258.x;
+                                                } else {
+                                                    phi_1826_ = _e1260.x;
+                                                }
+                                                let _e1267 = phi_1826_;
+                                                if (_e1258.y < _e1260.y) {
+                                                    phi_1835_ = _e1258.y;
+                                                } else {
+                                                    phi_1835_ = _e1260.y;
+                                                }
+                                                let _e1274 = phi_1835_;
+                                                if (_e1258.z < _e1260.z) {
+                                                    phi_1844_ = _e1258.z;
+                                                } else {
+                                                    phi_1844_ = _e1260.z;
+                                                }
+                                                let _e1281 = phi_1844_;
+                                                let _e1283 = triangles.member[(0u + _e970)].v2_;
+                                                if (_e1267 < _e1283.x) {
+                                                    phi_1853_ = _e1267;
+                                                } else {
+                                                    phi_1853_ = _e1283.x;
+                                                }
+                                                let _e1288 = phi_1853_;
+                                                if (_e1274 < _e1283.y) {
+                                                    phi_1860_ = _e1274;
+                                                } else {
+                                                    phi_1860_ = _e1283.y;
+                                                }
+                                                let _e1293 = phi_1860_;
+                                                if (_e1281 < _e1283.z) {
+                                                    phi_1867_ = _e1281;
+                                                } else {
+                                                    phi_1867_ = _e1283.z;
+                                                }
+                                                let _e1298 = phi_1867_;
+                                                let _e1300 = triangles.member[(0u + _e970)].v0_;
+                                                let _e1302 = triangles.member[(0u + _e970)].v1_;
+                                                if (_e1300.x > _e1302.x) {
+                                                    phi_1880_ = _e1300.x;
+                                                } else {
+                                                    phi_1880_ = _e1302.x;
+                                                }
+                                                let _e1309 = phi_1880_;
+                                                if (_e1300.y > _e1302.y) {
+                                                    phi_1889_ = _e1300.y;
+                                                } else {
+                                                    phi_1889_ = _e1302.y;
+                                                }
+                                                let _e1316 = phi_1889_;
+                                                if (_e1300.z > _e1302.z) {
+                                                    phi_1898_ = _e1300.z;
+                                                } else {
+                                                    phi_1898_ = _e1302.z;
+                                                }
+                                                let _e1323 = phi_1898_;
+                                                let _e1325 = triangles.member[(0u + _e970)].v2_;
+                                                if (_e1309 > _e1325.x) {
+                                                    phi_1907_ = _e1309;
+                                                } else {
+                                                    phi_1907_ = _e1325.x;
+                                                }
+                                                let _e1330 = phi_1907_;
+                                                if (_e1316 > _e1325.y) {
+                                                    phi_1914_ = _e1316;
+                                                } else {
+                                                    phi_1914_ = _e1325.y;
+                                                }
+                                                let _e1335 = phi_1914_;
+                                                if (_e1323 > _e1325.z) {
+                                                    phi_1921_ = _e1323;
+                                                } else {
+                                                    phi_1921_ = _e1325.z;
+                                                }
+                                                let _e1340 = phi_1921_;
+                                                let _e1344 = ((_e1288 - _e126) * _e285);
+                                                let _e1345 = ((_e1293 - _e128) * _e295);
+                                                let _e1346 = ((_e1298 - _e130) * _e305);
+                                                let _e1350 = ((_e1330 - _e126) * _e285);
+                                                let _e1351 = ((_e1335 - _e128) * _e295);
+                                                let _e1352 = ((_e1340 - _e130) * _e305);
+                                                if (_e1344 < _e1350) {
+                                                    phi_1938_ = _e1344;
+                                                } else {
+                                                    phi_1938_ = _e1350;
+                                                }
+                                                let _e1355 = phi_1938_;
+                                                if (_e1345 < _e1351) {
+                                                    phi_1943_ = _e1345;
+                                                } else {
+                                                    phi_1943_ = _e1351;
+                                                }
+                                                let _e1358 = phi_1943_;
+                                                if (_e1346 < _e1352) {
+                                                    phi_1948_ = _e1346;
+                                                } else {
+                                                    phi_1948_ = _e1352;
+                                                }
+                                                let _e1361 = phi_1948_;
+                                                if (_e1344 > _e1350) {
+                                                    phi_1956_ = _e1344;
+                                                } else {
+                                                    phi_1956_ = _e1350;
+                                                }
+                                                let _e1367 = phi_1956_;
+                                                if (_e1345 > _e1351) {
+                                                    phi_1961_ = _e1345;
+                                                } else {
+                                                    phi_1961_ = _e1351;
+                                                }
+                                                let _e1370 = phi_1961_;
+                                                if (_e1346 > _e1352) {
+                                                    phi_1966_ = _e1346;
+                                                } else {
+                                                    phi_1966_ = _e1352;
+                                                }
+                                                let _e1373 = phi_1966_;
+                                                let _e1377 = core_intrinsics_maximum_number_nsz_f32_((_e1355 - _e340), (_e1358 - _e341));
+                                                let _e1378 = core_intrinsics_maximum_number_nsz_f32_(_e1377, (_e1361 - _e342));
+                                                let _e1379 = core_intrinsics_minimum_number_nsz_f32_((_e1367 + _e340), (_e1370 + _e341));
+                                                let _e1380 = core_intrinsics_minimum_number_nsz_f32_(_e1379, (_e1373 + _e342));
+                                                if (_e1378 > -300000000000000000000000000000000000000f) {
+                                                    phi_1978_ = _e1378;
+                                                } else {
+                                                    phi_1978_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1383 = phi_1978_;
+                                                if (_e1380 < 300000000000000000000000000000000000000f) {
+                                                    phi_1983_ = _e1380;
+                                                } else {
+                                                    phi_1983_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1386 = phi_1983_;
+                                                if (_e1254 < _e1383) {
+                                                    phi_1988_ = _e1383;
+                                                } else {
+                                                    phi_1988_ = _e1254;
+                                                }
+                                                let _e1389 = phi_1988_;
+                                                if (_e1389 > _e1386) {
+                                                    phi_1993_ = _e1386;
+                                                } else {
+                                                    phi_1993_ = _e1389;
+                                                }
+                                                let _e1392 = phi_1993_;
+                                                phi_1998_ = lt_bvh_triangle_Intersection(_e1392, (_e1095 / _e1154), (_e1116 / _e1154), (_e1383 <= _e1386));
+                                                phi_1999_ = false;
+                                            } else {
+                                                phi_1998_ = lt_bvh_triangle_Intersection();
+                                                phi_1999_ = true;
+                                            }
+                                            let _e1398 = phi_1998_;
+                                            let _e1400 = phi_1999_;
+                                            phi_2000_ = _e1398;
+                                            phi_2001_ = _e1400;
+                                        } else {
+                                            phi_2000_ = lt_bvh_triangle_Intersection();
+                                            phi_2001_ = true;
+                                        }
+                                        let _e1402 = phi_2000_;
+                                        let _e1404 = phi_2001_;
+                                        if _e1404 {
+                                        }
+                                        phi_2005_ = _e1402;
+                                        phi_2006_ = _e1404;
+                                    }
+                                    let _e1406 = phi_2005_;
+                                    let _e1408 = phi_2006_;
+                                    phi_2007_ = _e1406;
+                                    phi_2008_ = _e1157;
+                                    phi_2009_ = _e1408;
                                 } else {
-                                    phi_2009_ = _e1410;
+                                    phi_2007_ = lt_bvh_triangle_Intersection();
+                                    phi_2008_ = true;
+                                    phi_2009_ = false;
                                 }
-                                let _e1412 = phi_2009_;
+                                let _e1410 = phi_2007_;
+                                let _e1412 = phi_2008_;
+                                let _e1414 = phi_2009_;
                                 if _e1412 {
-                                    phi_2013_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    phi_2013_ = true;
                                 } else {
-                                    phi_2013_ = _e1406;
+                                    phi_2013_ = _e1414;
                                 }
-                                let _e1414 = phi_2013_;
-                                if _e1414.is_hit {
-                                    if (_e1414.t > 0f) {
-                                        if (_e1414.t < _e136) {
-                                            let _e1421 = triangles.member[(0u + _e966)].i0_;
-                                            let _e1423 = ((_e1421 & 2147483648u) == 0u);
-                                            if _e1423 {
-                                                phi_2236_ = false;
-                                                phi_2237_ = false;
+                                let _e1416 = phi_2013_;
+                                if _e1416 {
+                                    phi_2017_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2017_ = _e1410;
+                                }
+                                let _e1418 = phi_2017_;
+                                if _e1418.is_hit {
+                                    if (_e1418.t > 0f) {
+                                        if (_e1418.t < _e136) {
+                                            let _e1425 = triangles.member[(0u + _e970)].i0_;
+                                            if ((_e1425 & 2147483648u) == 0u) {
+                                                phi_2236_ = true;
                                             } else {
-                                                if (_e966 < _e78) {
+                                                if (_e970 < _e78) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1430 = triangles.member[(0u + _e966)].i0_;
-                                                let _e1431 = (_e1430 & 2147483647u);
-                                                let _e1433 = triangles.member[(0u + _e966)].i1_;
-                                                let _e1435 = triangles.member[(0u + _e966)].i2_;
-                                                if (_e1431 < _e87) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1439 = vertices.member[(0u + _e1431)];
-                                                if (_e1433 < _e87) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1443 = vertices.member[(0u + _e1433)];
+                                                let _e1434 = triangles.member[(0u + _e970)].i0_;
+                                                let _e1435 = (_e1434 & 2147483647u);
+                                                let _e1437 = triangles.member[(0u + _e970)].i1_;
+                                                let _e1439 = triangles.member[(0u + _e970)].i2_;
                                                 if (_e1435 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1447 = vertices.member[(0u + _e1435)];
-                                                let _e1448 = array<abi_Vertex, 3>(_e1439, _e1443, _e1447);
-                                                if (_e1448[0].material < arrayLength((&materials.member))) {
+                                                let _e1443 = vertices.member[(0u + _e1435)];
+                                                if (_e1437 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1454 = materials.member[(0u + _e1448[0].material)];
-                                                if ((_e1454.flags & 1u) == 1u) {
-                                                    let _e1459 = ((1f - _e1414.u) - _e1414.v);
-                                                    if (_e1454.cutoff <= 0f) {
-                                                        phi_2230_ = true;
+                                                let _e1447 = vertices.member[(0u + _e1437)];
+                                                if (_e1439 < _e87) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1451 = vertices.member[(0u + _e1439)];
+                                                let _e1452 = array<abi_Vertex, 3>(_e1443, _e1447, _e1451);
+                                                if (_e1452[0].material < arrayLength((&materials.member))) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1458 = materials.member[(0u + _e1452[0].material)];
+                                                if ((_e1458.flags & 1u) == 1u) {
+                                                    let _e1463 = ((1f - _e1418.u) - _e1418.v);
+                                                    if (_e1458.cutoff <= 0f) {
+                                                        phi_2234_ = true;
                                                     } else {
-                                                        let _e1486 = (_e1454.base_color.w * ((((f32((_e1448[0].color >> bitcast<u32>(24i))) * _e1459) + (f32((_e1448[1].color >> bitcast<u32>(24i))) * _e1414.u)) + (f32((_e1448[2].color >> bitcast<u32>(24i))) * _e1414.v)) * (1f / 255f)));
-                                                        if (_e1454.alpha_size == 0u) {
-                                                            phi_2227_ = _e1486;
+                                                        let _e1490 = (_e1458.base_color.w * ((((f32((_e1452[0].color >> bitcast<u32>(24i))) * _e1463) + (f32((_e1452[1].color >> bitcast<u32>(24i))) * _e1418.u)) + (f32((_e1452[2].color >> bitcast<u32>(24i))) * _e1418.v)) * (1f / 255f)));
+                                                        if (_e1458.alpha_size == 0u) {
+                                                            phi_2231_ = _e1490;
                                                         } else {
-                                                            local.offset = _e1454.alpha_offset;
-                                                            local.size = _e1454.alpha_size;
-                                                            local.flags = _e1454.flags;
-                                                            let _e1517 = _lt_shaders_texture_TextureView_quad((&local), (((_e1448[0].u * _e1459) + (_e1448[1].u * _e1414.u)) + (_e1448[2].u * _e1414.v)), (((_e1448[0].v * _e1459) + (_e1448[1].v * _e1414.u)) + (_e1448[2].v * _e1414.v)));
-                                                            let _e1521 = (_e1517.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1521 < _e93) {
+                                                            local.offset = _e1458.alpha_offset;
+                                                            local.size = _e1458.alpha_size;
+                                                            local.flags = _e1458.flags;
+                                                            let _e1521 = _lt_shaders_texture_TextureView_quad((&local), (((_e1452[0].u * _e1463) + (_e1452[1].u * _e1418.u)) + (_e1452[2].u * _e1418.v)), (((_e1452[0].v * _e1463) + (_e1452[1].v * _e1418.u)) + (_e1452[2].v * _e1418.v)));
+                                                            let _e1525 = (_e1521.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1525 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1525 = alpha_texels.member[(0u + _e1521)];
-                                                            let _e1541 = (_e1517.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1541 < _e93) {
+                                                            let _e1529 = alpha_texels.member[(0u + _e1525)];
+                                                            let _e1545 = (_e1521.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1545 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1545 = alpha_texels.member[(0u + _e1541)];
-                                                            let _e1562 = (_e1517.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1562 < _e93) {
+                                                            let _e1549 = alpha_texels.member[(0u + _e1545)];
+                                                            let _e1566 = (_e1521.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1566 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1566 = alpha_texels.member[(0u + _e1562)];
-                                                            let _e1583 = (_e1517.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1583 < _e93) {
+                                                            let _e1570 = alpha_texels.member[(0u + _e1566)];
+                                                            let _e1587 = (_e1521.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1587 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1587 = alpha_texels.member[(0u + _e1583)];
-                                                            phi_2227_ = (_e1486 * (((((f32(((_e1525 >> bitcast<u32>((((_e1517.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.x) + ((f32(((_e1545 >> bitcast<u32>((((_e1517.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.y)) + ((f32(((_e1566 >> bitcast<u32>((((_e1517.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.z)) + ((f32(((_e1587 >> bitcast<u32>((((_e1517.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.w)));
+                                                            let _e1591 = alpha_texels.member[(0u + _e1587)];
+                                                            phi_2231_ = (_e1490 * (((((f32(((_e1529 >> bitcast<u32>((((_e1521.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.x) + ((f32(((_e1549 >> bitcast<u32>((((_e1521.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.y)) + ((f32(((_e1570 >> bitcast<u32>((((_e1521.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.z)) + ((f32(((_e1591 >> bitcast<u32>((((_e1521.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.w)));
                                                         }
-                                                        let _e1603 = phi_2227_;
-                                                        phi_2230_ = (_e1603 >= _e1454.cutoff);
+                                                        let _e1607 = phi_2231_;
+                                                        phi_2234_ = (_e1607 >= _e1458.cutoff);
                                                     }
-                                                    let _e1607 = phi_2230_;
-                                                    phi_2231_ = _e1607;
+                                                    let _e1611 = phi_2234_;
+                                                    phi_2235_ = _e1611;
                                                 } else {
-                                                    phi_2231_ = false;
-                                                }
-                                                let _e1609 = phi_2231_;
-                                                if _e1609 {
                                                     phi_2235_ = false;
-                                                } else {
-                                                    phi_2235_ = true;
                                                 }
-                                                let _e1611 = phi_2235_;
-                                                phi_2236_ = _e1611;
-                                                phi_2237_ = _e1609;
+                                                let _e1613 = phi_2235_;
+                                                phi_2236_ = _e1613;
                                             }
-                                            let _e1613 = phi_2236_;
-                                            let _e1615 = phi_2237_;
-                                            phi_2238_ = _e1613;
-                                            phi_2239_ = _e1423;
-                                            phi_2240_ = _e1615;
+                                            let _e1615 = phi_2236_;
+                                            if _e1615 {
+                                                phi_2240_ = false;
+                                            } else {
+                                                phi_2240_ = true;
+                                            }
+                                            let _e1617 = phi_2240_;
+                                            phi_2241_ = _e1615;
+                                            phi_2242_ = _e1615;
+                                            phi_2243_ = _e1617;
                                         } else {
-                                            phi_2238_ = true;
-                                            phi_2239_ = false;
-                                            phi_2240_ = false;
+                                            phi_2241_ = bool();
+                                            phi_2242_ = _e961;
+                                            phi_2243_ = true;
                                         }
-                                        let _e1617 = phi_2238_;
-                                        let _e1619 = phi_2239_;
-                                        let _e1621 = phi_2240_;
-                                        phi_2241_ = _e1617;
-                                        phi_2242_ = _e1619;
-                                        phi_2243_ = _e1621;
+                                        let _e1619 = phi_2241_;
+                                        let _e1621 = phi_2242_;
+                                        let _e1623 = phi_2243_;
+                                        phi_2244_ = _e1619;
+                                        phi_2245_ = _e1621;
+                                        phi_2246_ = _e1623;
                                     } else {
-                                        phi_2241_ = true;
-                                        phi_2242_ = false;
-                                        phi_2243_ = false;
+                                        phi_2244_ = bool();
+                                        phi_2245_ = _e961;
+                                        phi_2246_ = true;
                                     }
-                                    let _e1623 = phi_2241_;
-                                    let _e1625 = phi_2242_;
-                                    let _e1627 = phi_2243_;
-                                    phi_2244_ = _e1623;
-                                    phi_2245_ = _e1625;
-                                    phi_2246_ = _e1627;
+                                    let _e1625 = phi_2244_;
+                                    let _e1627 = phi_2245_;
+                                    let _e1629 = phi_2246_;
+                                    phi_2247_ = _e1625;
+                                    phi_2248_ = _e1627;
+                                    phi_2249_ = _e1629;
                                 } else {
-                                    phi_2244_ = true;
-                                    phi_2245_ = false;
-                                    phi_2246_ = false;
+                                    phi_2247_ = bool();
+                                    phi_2248_ = _e961;
+                                    phi_2249_ = true;
                                 }
-                                let _e1629 = phi_2244_;
-                                let _e1631 = phi_2245_;
-                                let _e1633 = phi_2246_;
-                                if _e1629 {
-                                    phi_2250_ = false;
-                                    phi_2251_ = false;
-                                } else {
-                                    phi_2250_ = _e1631;
-                                    phi_2251_ = _e1633;
+                                let _e1631 = phi_2247_;
+                                let _e1633 = phi_2248_;
+                                let _e1635 = phi_2249_;
+                                if _e1635 {
                                 }
-                                let _e1635 = phi_2250_;
-                                let _e1637 = phi_2251_;
-                                phi_1445_ = (_e957 & (_e957 - 1u));
-                                phi_2252_ = _e1629;
-                                phi_2253_ = _e1635;
-                                phi_2254_ = _e1637;
+                                phi_1447_ = (_e959 & (_e959 - 1u));
+                                phi_1450_ = _e1633;
+                                phi_2253_ = _e1631;
+                                phi_2254_ = _e1635;
                             }
-                            let _e1639 = phi_1445_;
-                            let _e1641 = phi_2252_;
-                            let _e1643 = phi_2253_;
-                            let _e1645 = phi_2254_;
-                            local_7 = _e1643;
-                            local_8 = _e1645;
+                            let _e1637 = phi_1447_;
+                            let _e1639 = phi_1450_;
+                            let _e1641 = phi_2253_;
+                            let _e1643 = phi_2254_;
+                            local_8 = _e1641;
                             continue;
                             continuing {
-                                phi_1444_ = _e1639;
-                                break if !(_e1641);
+                                phi_1446_ = _e1637;
+                                phi_1449_ = _e1639;
+                                break if !(_e1643);
                             }
                         }
-                        let _e1648 = local_5;
-                        if _e1648 {
-                            let _e1650 = local_1.group_mask;
-                            if ((_e1650 & 4278190080u) == 0u) {
-                                let _e1654 = local_1.len;
-                                if (_e1654 == 0u) {
+                        let _e1646 = local_5;
+                        if _e1646 {
+                            let _e1648 = local_1.group_mask;
+                            if ((_e1648 & 4278190080u) == 0u) {
+                                let _e1652 = local_1.len;
+                                if (_e1652 == 0u) {
                                     phi_2296_ = false;
                                 } else {
-                                    let _e1658 = local_1.len;
-                                    local_1.len = (_e1658 - 1u);
-                                    let _e1661 = local_1.len;
-                                    if (_e1661 < 32u) {
+                                    let _e1656 = local_1.len;
+                                    local_1.len = (_e1656 - 1u);
+                                    let _e1659 = local_1.len;
+                                    if (_e1659 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1666 = local_1.first[(0u + _e1661)];
-                                    local_1.group = _e1666;
-                                    let _e1669 = local_1.len;
-                                    if (_e1669 < 32u) {
+                                    let _e1664 = local_1.first[(0u + _e1659)];
+                                    local_1.group = _e1664;
+                                    let _e1667 = local_1.len;
+                                    if (_e1667 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1674 = local_1.mask[(0u + _e1669)];
-                                    local_1.group_mask = _e1674;
+                                    let _e1672 = local_1.mask[(0u + _e1667)];
+                                    local_1.group_mask = _e1672;
                                     phi_2296_ = true;
                                 }
-                                let _e1677 = phi_2296_;
-                                phi_2297_ = _e1677;
+                                let _e1675 = phi_2296_;
+                                phi_2297_ = _e1675;
                             } else {
                                 phi_2297_ = true;
                             }
-                            let _e1679 = phi_2297_;
-                            if _e1679 {
-                                let _e1681 = local_1.group_mask;
-                                let _e1687 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1681)), 32u, (_e1681 == 0u)));
-                                let _e1691 = local_1.group_mask;
-                                let _e1705 = local_1.group_mask;
-                                local_1.group_mask = (_e1705 & ~((1u << bitcast<u32>((_e1687 & 31u)))));
-                                let _e1708 = local_1.group;
-                                phi_2328_ = (_e1708 + countOneBits(((_e1691 & ~((4294967295u << bitcast<u32>((((_e1687 - 24u) ^ _e383) & 31u))))) & 255u)));
+                            let _e1677 = phi_2297_;
+                            if _e1677 {
+                                let _e1679 = local_1.group_mask;
+                                let _e1685 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1679)), 32u, (_e1679 == 0u)));
+                                let _e1689 = local_1.group_mask;
+                                let _e1703 = local_1.group_mask;
+                                local_1.group_mask = (_e1703 & ~((1u << bitcast<u32>((_e1685 & 31u)))));
+                                let _e1706 = local_1.group;
+                                phi_2328_ = (_e1706 + countOneBits(((_e1689 & ~((4294967295u << bitcast<u32>((((_e1685 - 24u) ^ _e383) & 31u))))) & 255u)));
                             } else {
                                 phi_2328_ = 4294967295u;
                             }
-                            let _e1711 = phi_2328_;
-                            phi_2329_ = _e1711;
-                            phi_2330_ = false;
-                            phi_2331_ = false;
+                            let _e1709 = phi_2328_;
+                            phi_2329_ = _e1709;
                         } else {
                             phi_2329_ = u32();
-                            let _e1929 = local_7;
-                            phi_2330_ = _e1929;
-                            let _e1932 = local_8;
-                            phi_2331_ = _e1932;
                         }
-                        let _e1713 = phi_2329_;
-                        let _e1715 = phi_2330_;
-                        let _e1717 = phi_2331_;
-                        phi_1115_ = _e1713;
-                        let _e1936 = local_9;
-                        phi_2332_ = _e1936;
-                        phi_2333_ = false;
-                        phi_2334_ = _e1715;
-                        phi_2335_ = _e1717;
+                        let _e1711 = phi_2329_;
+                        phi_1115_ = _e1711;
+                        let _e1919 = local_7;
+                        phi_1118_ = _e1919;
+                        let _e1922 = local_8;
+                        phi_2330_ = _e1922;
+                        let _e1925 = local_9;
+                        phi_2331_ = _e1925;
+                        phi_2332_ = false;
                     } else {
                         phi_1115_ = u32();
-                        phi_2332_ = false;
-                        phi_2333_ = true;
-                        phi_2334_ = false;
-                        phi_2335_ = false;
+                        phi_1118_ = bool();
+                        phi_2330_ = bool();
+                        phi_2331_ = false;
+                        phi_2332_ = true;
                     }
-                    let _e1719 = phi_1115_;
+                    let _e1713 = phi_1115_;
+                    let _e1715 = phi_1118_;
+                    let _e1717 = phi_2330_;
+                    let _e1719 = phi_2331_;
                     let _e1721 = phi_2332_;
-                    let _e1723 = phi_2333_;
-                    let _e1725 = phi_2334_;
-                    let _e1727 = phi_2335_;
-                    local_6 = _e1723;
-                    local_10 = _e1725;
-                    local_11 = _e1727;
+                    local_6 = _e1721;
+                    local_10 = _e1717;
                     continue;
                     continuing {
-                        phi_1114_ = _e1719;
-                        break if !(_e1721);
+                        phi_1114_ = _e1713;
+                        phi_1117_ = _e1715;
+                        break if !(_e1719);
                     }
                 }
-                let _e1730 = local_6;
-                if _e1730 {
-                    phi_2339_ = false;
-                    phi_2340_ = false;
+                let _e1724 = local_6;
+                if _e1724 {
+                    phi_2336_ = false;
                 } else {
-                    let _e1943 = local_10;
-                    phi_2339_ = _e1943;
-                    let _e1946 = local_11;
-                    phi_2340_ = _e1946;
+                    phi_2336_ = true;
                 }
-                let _e1732 = phi_2339_;
-                let _e1734 = phi_2340_;
-                if _e1732 {
-                    phi_2344_ = true;
+                let _e1726 = phi_2336_;
+                if _e1726 {
+                    let _e1931 = local_10;
+                    phi_2340_ = _e1931;
                 } else {
-                    phi_2344_ = _e1734;
+                    let _e1933 = local_11;
+                    phi_2340_ = _e1933;
                 }
-                let _e1736 = phi_2344_;
-                if _e1736 {
-                    phi_2348_ = true;
-                } else {
-                    phi_2348_ = false;
-                }
-                let _e1738 = phi_2348_;
-                phi_2349_ = _e1738;
+                let _e1728 = phi_2340_;
+                phi_2341_ = _e1728;
             }
-            let _e1740 = phi_2349_;
-            phi_2350_ = _e1740;
-            phi_2351_ = _e209;
+            let _e1730 = phi_2341_;
+            phi_2342_ = _e1730;
+            phi_2343_ = _e209;
         } else {
-            phi_2350_ = bool();
-            phi_2351_ = true;
+            phi_2342_ = bool();
+            phi_2343_ = true;
         }
-        let _e1742 = phi_2350_;
-        let _e1744 = phi_2351_;
-        if _e1744 {
-            phi_2355_ = false;
+        let _e1732 = phi_2342_;
+        let _e1734 = phi_2343_;
+        if _e1734 {
+            phi_2347_ = false;
         } else {
-            phi_2355_ = _e1742;
+            phi_2347_ = _e1732;
         }
-        let _e1746 = phi_2355_;
-        if _e1746 {
-            phi_2359_ = 0f;
+        let _e1736 = phi_2347_;
+        if _e1736 {
+            phi_2351_ = 0f;
         } else {
-            phi_2359_ = 1f;
+            phi_2351_ = 1f;
         }
-        let _e1748 = phi_2359_;
+        let _e1738 = phi_2351_;
         if (_e106 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e106)] = _e1748;
+        visibility.member[(0u + _e106)] = _e1738;
     }
     return;
 }

@@ -33,11 +33,48 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
     row_z: vec4<f32>,
     row_w: vec4<f32>,
+}
+
+struct abi_ShadowParams {
+    projection: lt_math_LightProjection,
+    light: abi_LightParams,
+    test: vec4<f32>,
+    size: vec2<u32>,
+    map_size: u32,
+    epsilon: f32,
+    root: u32,
+    level_count: u32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_30 {
+    member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Triangle {
@@ -49,28 +86,8 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_29 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
-}
-
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_38 {
-    member: array<lt_bvh_Node>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
@@ -85,34 +102,17 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-struct abi_ShadowParams {
-    projection: lt_math_LightProjection,
-    light: abi_LightParams,
-    test: vec4<f32>,
-    size: vec2<u32>,
-    map_size: u32,
-    epsilon: f32,
-    root: u32,
-    level_count: u32,
-    fade_uv: f32,
-    pad0_: u32,
-}
-
-struct type_44 {
-    member: abi_ShadowParams,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_44;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> nodes: type_38;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_29;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 
@@ -208,154 +208,141 @@ fn function_() {
     var phi_647_: bool;
     var phi_678_: u32;
     var phi_680_: u32;
-    var phi_761_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_788_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_815_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_821_: u32;
-    var phi_824_: u32;
-    var phi_838_: u32;
-    var phi_848_: u32;
-    var phi_858_: u32;
-    var phi_876_: u32;
-    var phi_886_: u32;
-    var phi_896_: u32;
-    var phi_932_: u32;
-    var phi_945_: u32;
-    var phi_950_: u32;
-    var phi_951_: u32;
+    var phi_683_: bool;
+    var phi_763_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_790_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_817_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_823_: u32;
+    var phi_826_: u32;
+    var phi_840_: u32;
+    var phi_850_: u32;
+    var phi_860_: u32;
+    var phi_878_: u32;
+    var phi_888_: u32;
+    var phi_898_: u32;
+    var phi_934_: u32;
+    var phi_947_: u32;
     var phi_952_: u32;
-    var phi_822_: u32;
-    var phi_825_: u32;
+    var phi_953_: u32;
+    var phi_954_: u32;
+    var phi_824_: u32;
+    var phi_827_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1010_: u32;
-    var phi_1055_: vec3<f32>;
-    var phi_1056_: vec3<f32>;
-    var phi_1085_: vec3<f32>;
-    var phi_1086_: vec3<f32>;
-    var phi_1115_: vec3<f32>;
-    var phi_1116_: vec3<f32>;
-    var phi_1134_: bool;
-    var phi_1135_: bool;
-    var phi_1139_: f32;
-    var phi_1140_: f32;
-    var phi_1141_: f32;
-    var phi_1142_: f32;
-    var phi_1150_: f32;
-    var phi_1160_: bool;
-    var phi_1161_: bool;
-    var phi_1165_: f32;
-    var phi_1166_: f32;
-    var phi_1167_: f32;
-    var phi_1168_: f32;
-    var phi_1176_: f32;
-    var phi_1186_: bool;
-    var phi_1187_: bool;
-    var phi_1191_: f32;
-    var phi_1192_: f32;
-    var phi_1193_: f32;
-    var phi_1194_: f32;
-    var phi_1202_: f32;
-    var phi_1217_: f32;
-    var phi_1218_: bool;
-    var phi_1219_: f32;
-    var phi_1220_: bool;
+    var phi_1012_: u32;
+    var phi_1015_: bool;
+    var phi_1059_: vec3<f32>;
+    var phi_1060_: vec3<f32>;
+    var phi_1089_: vec3<f32>;
+    var phi_1090_: vec3<f32>;
+    var phi_1119_: vec3<f32>;
+    var phi_1120_: vec3<f32>;
+    var phi_1138_: bool;
+    var phi_1139_: bool;
+    var phi_1143_: f32;
+    var phi_1144_: f32;
+    var phi_1145_: f32;
+    var phi_1146_: f32;
+    var phi_1154_: f32;
+    var phi_1164_: bool;
+    var phi_1165_: bool;
+    var phi_1169_: f32;
+    var phi_1170_: f32;
+    var phi_1171_: f32;
+    var phi_1172_: f32;
+    var phi_1180_: f32;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1195_: f32;
+    var phi_1196_: f32;
+    var phi_1197_: f32;
+    var phi_1198_: f32;
+    var phi_1206_: f32;
     var phi_1221_: f32;
     var phi_1222_: bool;
-    var phi_1240_: f32;
-    var phi_1241_: bool;
-    var phi_1242_: bool;
-    var phi_1243_: f32;
-    var phi_1244_: bool;
+    var phi_1223_: f32;
+    var phi_1224_: bool;
+    var phi_1225_: f32;
+    var phi_1226_: bool;
+    var phi_1244_: f32;
     var phi_1245_: bool;
+    var phi_1246_: bool;
+    var phi_1247_: f32;
+    var phi_1248_: bool;
     var phi_1249_: bool;
-    var phi_1250_: f32;
-    var phi_1251_: bool;
-    var phi_1279_: vec3<f32>;
-    var phi_1280_: vec3<f32>;
-    var phi_1305_: vec3<f32>;
-    var phi_1306_: vec3<f32>;
-    var phi_1331_: vec3<f32>;
-    var phi_1332_: vec3<f32>;
-    var phi_1388_: f32;
-    var phi_1397_: f32;
-    var phi_1406_: f32;
-    var phi_1415_: f32;
-    var phi_1422_: f32;
-    var phi_1429_: f32;
-    var phi_1442_: f32;
-    var phi_1451_: f32;
-    var phi_1460_: f32;
-    var phi_1469_: f32;
-    var phi_1476_: f32;
-    var phi_1483_: f32;
-    var phi_1500_: f32;
-    var phi_1505_: f32;
-    var phi_1510_: f32;
-    var phi_1518_: f32;
-    var phi_1523_: f32;
-    var phi_1528_: f32;
-    var phi_1540_: f32;
-    var phi_1545_: f32;
-    var phi_1550_: f32;
-    var phi_1555_: f32;
-    var phi_1560_: lt_bvh_triangle_Intersection;
-    var phi_1561_: bool;
-    var phi_1562_: lt_bvh_triangle_Intersection;
-    var phi_1563_: bool;
-    var phi_1567_: lt_bvh_triangle_Intersection;
-    var phi_1568_: bool;
-    var phi_1569_: lt_bvh_triangle_Intersection;
-    var phi_1570_: bool;
-    var phi_1571_: bool;
+    var phi_1253_: bool;
+    var phi_1254_: f32;
+    var phi_1255_: bool;
+    var phi_1283_: vec3<f32>;
+    var phi_1284_: vec3<f32>;
+    var phi_1309_: vec3<f32>;
+    var phi_1310_: vec3<f32>;
+    var phi_1335_: vec3<f32>;
+    var phi_1336_: vec3<f32>;
+    var phi_1392_: f32;
+    var phi_1401_: f32;
+    var phi_1410_: f32;
+    var phi_1419_: f32;
+    var phi_1426_: f32;
+    var phi_1433_: f32;
+    var phi_1446_: f32;
+    var phi_1455_: f32;
+    var phi_1464_: f32;
+    var phi_1473_: f32;
+    var phi_1480_: f32;
+    var phi_1487_: f32;
+    var phi_1504_: f32;
+    var phi_1509_: f32;
+    var phi_1514_: f32;
+    var phi_1522_: f32;
+    var phi_1527_: f32;
+    var phi_1532_: f32;
+    var phi_1544_: f32;
+    var phi_1549_: f32;
+    var phi_1554_: f32;
+    var phi_1559_: f32;
+    var phi_1564_: lt_bvh_triangle_Intersection;
+    var phi_1565_: bool;
+    var phi_1566_: lt_bvh_triangle_Intersection;
+    var phi_1567_: bool;
+    var phi_1571_: lt_bvh_triangle_Intersection;
+    var phi_1572_: bool;
+    var phi_1573_: lt_bvh_triangle_Intersection;
+    var phi_1574_: bool;
     var phi_1575_: bool;
-    var phi_1579_: lt_bvh_triangle_Intersection;
+    var phi_1579_: bool;
+    var phi_1583_: lt_bvh_triangle_Intersection;
+    var phi_1603_: bool;
     var phi_1604_: bool;
     var phi_1605_: bool;
     var phi_1606_: bool;
     var phi_1607_: bool;
     var phi_1608_: bool;
     var phi_1609_: bool;
-    var phi_1610_: bool;
-    var phi_1611_: bool;
-    var phi_1612_: bool;
+    var phi_1013_: u32;
+    var phi_1016_: bool;
     var phi_1613_: bool;
-    var phi_1614_: bool;
-    var phi_1615_: bool;
-    var phi_1619_: bool;
-    var phi_1620_: bool;
-    var phi_1011_: u32;
-    var phi_1621_: bool;
-    var phi_1622_: bool;
-    var phi_1623_: bool;
     var local_4: bool;
-    var phi_1665_: bool;
-    var phi_1666_: bool;
-    var phi_1697_: u32;
-    var phi_1698_: u32;
+    var phi_1655_: bool;
+    var phi_1656_: bool;
+    var phi_1687_: u32;
+    var phi_1688_: u32;
+    var phi_681_: u32;
+    var phi_684_: bool;
+    var phi_1689_: bool;
+    var phi_1690_: bool;
+    var local_5: bool;
+    var phi_1694_: bool;
+    var phi_1698_: bool;
     var phi_1699_: bool;
     var phi_1700_: bool;
-    var phi_681_: u32;
     var phi_1701_: bool;
-    var phi_1702_: bool;
-    var phi_1703_: bool;
-    var phi_1704_: bool;
-    var local_5: bool;
-    var phi_1708_: bool;
-    var phi_1709_: bool;
-    var phi_1713_: bool;
-    var phi_1717_: bool;
-    var phi_1718_: bool;
-    var phi_1719_: bool;
-    var phi_1720_: bool;
-    var phi_1724_: bool;
-    var phi_1728_: f32;
+    var phi_1705_: bool;
+    var phi_1709_: f32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
-    var local_9: bool;
-    var local_10: bool;
 
     let _e50 = id_1;
     let _e57 = arrayLength((&nodes.member));
@@ -503,7 +490,7 @@ fn function_() {
         if _e181 {
             let _e182 = (0u >= _e57);
             if _e182 {
-                phi_1718_ = bool();
+                phi_1699_ = bool();
             } else {
                 if (0u < _e57) {
                 } else {
@@ -694,910 +681,864 @@ fn function_() {
                 }
                 let _e492 = phi_678_;
                 phi_680_ = _e492;
+                phi_683_ = false;
                 loop {
                     let _e494 = phi_680_;
+                    let _e496 = phi_683_;
+                    local_8 = _e496;
                     if (_e494 != 4294967295u) {
                         if (_e494 < _e57) {
                         } else {
                             return;
                         }
-                        let _e501 = nodes.member[(0u + _e494)].frame[3u];
-                        let _e526 = (bitcast<f32>((((_e501 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e258);
-                        let _e527 = (bitcast<f32>((((_e501 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e268);
-                        let _e528 = (bitcast<f32>((((_e501 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e278);
-                        let _e531 = nodes.member[(0u + _e494)].frame[0u];
-                        let _e535 = nodes.member[(0u + _e494)].frame[1u];
-                        let _e539 = nodes.member[(0u + _e494)].frame[2u];
-                        let _e544 = ((bitcast<f32>(_e531) - _e99) * _e258);
-                        let _e545 = ((bitcast<f32>(_e535) - _e101) * _e268);
-                        let _e546 = ((bitcast<f32>(_e539) - _e103) * _e278);
-                        let _e554 = nodes.member[(0u + _e494)].x;
+                        let _e503 = nodes.member[(0u + _e494)].frame[3u];
+                        let _e528 = (bitcast<f32>((((_e503 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e258);
+                        let _e529 = (bitcast<f32>((((_e503 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e268);
+                        let _e530 = (bitcast<f32>((((_e503 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e278);
+                        let _e533 = nodes.member[(0u + _e494)].frame[0u];
+                        let _e537 = nodes.member[(0u + _e494)].frame[1u];
+                        let _e541 = nodes.member[(0u + _e494)].frame[2u];
+                        let _e546 = ((bitcast<f32>(_e533) - _e99) * _e258);
+                        let _e547 = ((bitcast<f32>(_e537) - _e101) * _e268);
+                        let _e548 = ((bitcast<f32>(_e541) - _e103) * _e278);
+                        let _e556 = nodes.member[(0u + _e494)].x;
                         if (_e258 < 0f) {
-                            let _e565 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e554.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e565.unnamed.root, _e554.w), _e565.unnamed_1);
-                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e571.unnamed, lt_bvh_traverse_Tree(_e554.x, _e571.unnamed_1.first_primitive));
-                            phi_761_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e577.unnamed_1.root, _e554.y));
+                            let _e567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e556.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e567.unnamed.root, _e556.w), _e567.unnamed_1);
+                            let _e579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e573.unnamed, lt_bvh_traverse_Tree(_e556.x, _e573.unnamed_1.first_primitive));
+                            phi_763_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e579.unnamed, lt_bvh_traverse_Tree(_e579.unnamed_1.root, _e556.y));
                         } else {
-                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e554.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.unnamed.root, _e554.y), _e593.unnamed_1);
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_bvh_traverse_Tree(_e554.z, _e599.unnamed_1.first_primitive));
-                            phi_761_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e605.unnamed_1.root, _e554.w));
+                            let _e595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e556.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e595.unnamed.root, _e556.y), _e595.unnamed_1);
+                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e601.unnamed, lt_bvh_traverse_Tree(_e556.z, _e601.unnamed_1.first_primitive));
+                            phi_763_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_bvh_traverse_Tree(_e607.unnamed_1.root, _e556.w));
                         }
-                        let _e613 = phi_761_;
-                        let _e623 = nodes.member[(0u + _e494)].y;
+                        let _e615 = phi_763_;
+                        let _e625 = nodes.member[(0u + _e494)].y;
                         if (_e268 < 0f) {
-                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e634.unnamed.root, _e623.w), _e634.unnamed_1);
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_bvh_traverse_Tree(_e623.x, _e640.unnamed_1.first_primitive));
-                            phi_788_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e646.unnamed_1.root, _e623.y));
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e625.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e636.unnamed.root, _e625.w), _e636.unnamed_1);
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_bvh_traverse_Tree(_e625.x, _e642.unnamed_1.first_primitive));
+                            phi_790_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e648.unnamed_1.root, _e625.y));
                         } else {
-                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.unnamed.root, _e623.y), _e662.unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e623.z, _e668.unnamed_1.first_primitive));
-                            phi_788_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e674.unnamed_1.root, _e623.w));
+                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e625.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e664.unnamed.root, _e625.y), _e664.unnamed_1);
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e670.unnamed, lt_bvh_traverse_Tree(_e625.z, _e670.unnamed_1.first_primitive));
+                            phi_790_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_bvh_traverse_Tree(_e676.unnamed_1.root, _e625.w));
                         }
-                        let _e682 = phi_788_;
-                        let _e692 = nodes.member[(0u + _e494)].z;
+                        let _e684 = phi_790_;
+                        let _e694 = nodes.member[(0u + _e494)].z;
                         if (_e278 < 0f) {
-                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e703.unnamed.root, _e692.w), _e703.unnamed_1);
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_bvh_traverse_Tree(_e692.x, _e709.unnamed_1.first_primitive));
-                            phi_815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e715.unnamed_1.root, _e692.y));
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e694.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e705.unnamed.root, _e694.w), _e705.unnamed_1);
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_bvh_traverse_Tree(_e694.x, _e711.unnamed_1.first_primitive));
+                            phi_817_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e717.unnamed_1.root, _e694.y));
                         } else {
-                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.unnamed.root, _e692.y), _e731.unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e692.z, _e737.unnamed_1.first_primitive));
-                            phi_815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e743.unnamed_1.root, _e692.w));
+                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e694.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e733.unnamed.root, _e694.y), _e733.unnamed_1);
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e694.z, _e739.unnamed_1.first_primitive));
+                            phi_817_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_bvh_traverse_Tree(_e745.unnamed_1.root, _e694.w));
                         }
-                        let _e751 = phi_815_;
-                        phi_821_ = 0u;
-                        phi_824_ = 0u;
+                        let _e753 = phi_817_;
+                        phi_823_ = 0u;
+                        phi_826_ = 0u;
                         loop {
-                            let _e761 = phi_821_;
-                            let _e763 = phi_824_;
-                            local_1 = _e763;
-                            local_2 = _e763;
-                            local_3 = _e763;
-                            let _e764 = (_e761 < 8u);
-                            if _e764 {
-                                let _e766 = (_e761 >> bitcast<u32>(2i));
-                                let _e767 = (_e761 & 3u);
-                                if (_e766 == 0u) {
-                                    phi_838_ = _e613.unnamed.root;
+                            let _e763 = phi_823_;
+                            let _e765 = phi_826_;
+                            local_1 = _e765;
+                            local_2 = _e765;
+                            local_3 = _e765;
+                            let _e766 = (_e763 < 8u);
+                            if _e766 {
+                                let _e768 = (_e763 >> bitcast<u32>(2i));
+                                let _e769 = (_e763 & 3u);
+                                if (_e768 == 0u) {
+                                    phi_840_ = _e615.unnamed.root;
                                 } else {
-                                    phi_838_ = _e613.unnamed.first_primitive;
+                                    phi_840_ = _e615.unnamed.first_primitive;
                                 }
-                                let _e770 = phi_838_;
-                                if (_e766 == 0u) {
-                                    phi_848_ = _e682.unnamed.root;
+                                let _e772 = phi_840_;
+                                if (_e768 == 0u) {
+                                    phi_850_ = _e684.unnamed.root;
                                 } else {
-                                    phi_848_ = _e682.unnamed.first_primitive;
+                                    phi_850_ = _e684.unnamed.first_primitive;
                                 }
-                                let _e779 = phi_848_;
-                                if (_e766 == 0u) {
-                                    phi_858_ = _e751.unnamed.root;
+                                let _e781 = phi_850_;
+                                if (_e768 == 0u) {
+                                    phi_860_ = _e753.unnamed.root;
                                 } else {
-                                    phi_858_ = _e751.unnamed.first_primitive;
+                                    phi_860_ = _e753.unnamed.first_primitive;
                                 }
-                                let _e788 = phi_858_;
-                                let _e801 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e770 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 - _e306)), ((f32(((_e779 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e307)));
-                                let _e802 = core_intrinsics_maximum_number_nsz_f32_(_e801, ((f32(((_e788 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e308)));
-                                if (_e766 == 0u) {
-                                    phi_876_ = _e613.unnamed_1.root;
+                                let _e790 = phi_860_;
+                                let _e803 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e772 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e306)), ((f32(((_e781 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e307)));
+                                let _e804 = core_intrinsics_maximum_number_nsz_f32_(_e803, ((f32(((_e790 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e530) + (_e548 - _e308)));
+                                if (_e768 == 0u) {
+                                    phi_878_ = _e615.unnamed_1.root;
                                 } else {
-                                    phi_876_ = _e613.unnamed_1.first_primitive;
+                                    phi_878_ = _e615.unnamed_1.first_primitive;
                                 }
-                                let _e805 = phi_876_;
-                                if (_e766 == 0u) {
-                                    phi_886_ = _e682.unnamed_1.root;
+                                let _e807 = phi_878_;
+                                if (_e768 == 0u) {
+                                    phi_888_ = _e684.unnamed_1.root;
                                 } else {
-                                    phi_886_ = _e682.unnamed_1.first_primitive;
+                                    phi_888_ = _e684.unnamed_1.first_primitive;
                                 }
-                                let _e814 = phi_886_;
-                                if (_e766 == 0u) {
-                                    phi_896_ = _e751.unnamed_1.root;
+                                let _e816 = phi_888_;
+                                if (_e768 == 0u) {
+                                    phi_898_ = _e753.unnamed_1.root;
                                 } else {
-                                    phi_896_ = _e751.unnamed_1.first_primitive;
+                                    phi_898_ = _e753.unnamed_1.first_primitive;
                                 }
-                                let _e823 = phi_896_;
-                                let _e836 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e805 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 + _e306)), ((f32(((_e814 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e307)));
-                                let _e837 = core_intrinsics_minimum_number_nsz_f32_(_e836, ((f32(((_e823 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e308)));
-                                if (_e802 <= _e837) {
-                                    if (_e802 <= _e109) {
-                                        if (_e837 >= 0f) {
-                                            if (_e766 == 0u) {
-                                                let _e844 = nodes.member[(0u + _e494)].links[2u];
-                                                phi_932_ = _e844;
+                                let _e825 = phi_898_;
+                                let _e838 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e807 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e306)), ((f32(((_e816 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e307)));
+                                let _e839 = core_intrinsics_minimum_number_nsz_f32_(_e838, ((f32(((_e825 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e530) + (_e548 + _e308)));
+                                if (_e804 <= _e839) {
+                                    if (_e804 <= _e109) {
+                                        if (_e839 >= 0f) {
+                                            if (_e768 == 0u) {
+                                                let _e846 = nodes.member[(0u + _e494)].links[2u];
+                                                phi_934_ = _e846;
                                             } else {
-                                                let _e847 = nodes.member[(0u + _e494)].links[3u];
-                                                phi_932_ = _e847;
+                                                let _e849 = nodes.member[(0u + _e494)].links[3u];
+                                                phi_934_ = _e849;
                                             }
-                                            let _e849 = phi_932_;
-                                            let _e854 = ((_e849 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u);
-                                            let _e855 = (_e854 & 31u);
-                                            if (_e855 >= 24u) {
-                                                phi_945_ = (24u + ((_e855 - 24u) ^ _e356));
+                                            let _e851 = phi_934_;
+                                            let _e856 = ((_e851 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u);
+                                            let _e857 = (_e856 & 31u);
+                                            if (_e857 >= 24u) {
+                                                phi_947_ = (24u + ((_e857 - 24u) ^ _e356));
                                             } else {
-                                                phi_945_ = _e855;
+                                                phi_947_ = _e857;
                                             }
-                                            let _e861 = phi_945_;
-                                            phi_950_ = (_e763 | ((_e854 >> bitcast<u32>(5i)) << bitcast<u32>((_e861 & 31u))));
+                                            let _e863 = phi_947_;
+                                            phi_952_ = (_e765 | ((_e856 >> bitcast<u32>(5i)) << bitcast<u32>((_e863 & 31u))));
                                         } else {
-                                            phi_950_ = _e763;
+                                            phi_952_ = _e765;
                                         }
-                                        let _e869 = phi_950_;
-                                        phi_951_ = _e869;
+                                        let _e871 = phi_952_;
+                                        phi_953_ = _e871;
                                     } else {
-                                        phi_951_ = _e763;
+                                        phi_953_ = _e765;
                                     }
-                                    let _e871 = phi_951_;
-                                    phi_952_ = _e871;
+                                    let _e873 = phi_953_;
+                                    phi_954_ = _e873;
                                 } else {
-                                    phi_952_ = _e763;
+                                    phi_954_ = _e765;
                                 }
-                                let _e873 = phi_952_;
-                                phi_822_ = (_e761 + 1u);
-                                phi_825_ = _e873;
+                                let _e875 = phi_954_;
+                                phi_824_ = (_e763 + 1u);
+                                phi_827_ = _e875;
                             } else {
-                                phi_822_ = u32();
-                                phi_825_ = u32();
+                                phi_824_ = u32();
+                                phi_827_ = u32();
                             }
-                            let _e876 = phi_822_;
-                            let _e878 = phi_825_;
+                            let _e878 = phi_824_;
+                            let _e880 = phi_827_;
                             continue;
                             continuing {
-                                phi_821_ = _e876;
-                                phi_824_ = _e878;
-                                break if !(_e764);
+                                phi_823_ = _e878;
+                                phi_826_ = _e880;
+                                break if !(_e766);
                             }
                         }
-                        let _e882 = nodes.member[(0u + _e494)].links[0u];
-                        let _e886 = nodes.member[(0u + _e494)].frame[3u];
-                        let _e890 = local_1;
-                        if ((_e890 & 4278190080u) == 0u) {
+                        let _e884 = nodes.member[(0u + _e494)].links[0u];
+                        let _e888 = nodes.member[(0u + _e494)].frame[3u];
+                        let _e892 = local_1;
+                        if ((_e892 & 4278190080u) == 0u) {
                         } else {
-                            let _e894 = local.group_mask;
-                            if ((_e894 & 4278190080u) == 0u) {
+                            let _e896 = local.group_mask;
+                            if ((_e896 & 4278190080u) == 0u) {
                             } else {
-                                let _e898 = local.len;
-                                if (_e898 < 32u) {
-                                    let _e901 = local.group;
-                                    let _e903 = local.len;
-                                    if (_e903 < 32u) {
+                                let _e900 = local.len;
+                                if (_e900 < 32u) {
+                                    let _e903 = local.group;
+                                    let _e905 = local.len;
+                                    if (_e905 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e903)] = _e901;
-                                    let _e909 = local.group_mask;
-                                    let _e911 = local.len;
-                                    if (_e911 < 32u) {
+                                    local.first[(0u + _e905)] = _e903;
+                                    let _e911 = local.group_mask;
+                                    let _e913 = local.len;
+                                    if (_e913 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e911)] = _e909;
-                                    let _e918 = local.len;
-                                    local.len = (_e918 + 1u);
+                                    local.mask[(0u + _e913)] = _e911;
+                                    let _e920 = local.len;
+                                    local.len = (_e920 + 1u);
                                 }
                             }
-                            local.group = (0u + _e882);
-                            let _e922 = local_2;
-                            local.group_mask = ((_e922 & 4278190080u) | (_e886 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e884);
+                            let _e924 = local_2;
+                            local.group_mask = ((_e924 & 4278190080u) | (_e888 >> bitcast<u32>(24i)));
                         }
-                        let _e927 = local_3;
-                        phi_1010_ = (_e927 & 16777215u);
+                        let _e929 = local_3;
+                        phi_1012_ = (_e929 & 16777215u);
+                        phi_1015_ = _e496;
                         loop {
-                            let _e930 = phi_1010_;
-                            let _e931 = (_e930 == 0u);
-                            local_4 = _e931;
-                            local_8 = _e931;
-                            if _e931 {
-                                phi_1011_ = u32();
-                                phi_1621_ = false;
-                                phi_1622_ = false;
-                                phi_1623_ = false;
+                            let _e932 = phi_1012_;
+                            let _e934 = phi_1015_;
+                            local_6 = _e934;
+                            let _e935 = (_e932 == 0u);
+                            local_4 = _e935;
+                            local_7 = _e935;
+                            if _e935 {
+                                phi_1013_ = u32();
+                                phi_1016_ = bool();
+                                phi_1613_ = false;
                             } else {
-                                let _e934 = nodes.member[(0u + _e494)].links[1u];
-                                let _e939 = ((0u + _e934) + select(firstTrailingBit(_e930), 32u, (_e930 == 0u)));
-                                if (_e939 < arrayLength((&triangles.member))) {
+                                let _e938 = nodes.member[(0u + _e494)].links[1u];
+                                let _e943 = ((0u + _e938) + select(firstTrailingBit(_e932), 32u, (_e932 == 0u)));
+                                if (_e943 < arrayLength((&triangles.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e946 = triangles.member[(0u + _e939)].v0_;
-                                let _e948 = (_e946.x - _e99);
-                                let _e950 = (_e946.y - _e101);
-                                let _e952 = (_e946.z - _e103);
+                                let _e950 = triangles.member[(0u + _e943)].v0_;
+                                let _e952 = (_e950.x - _e99);
+                                let _e954 = (_e950.y - _e101);
+                                let _e956 = (_e950.z - _e103);
                                 if (_e329 == 0u) {
-                                    phi_1056_ = vec3<f32>(_e950, _e952, _e948);
+                                    phi_1060_ = vec3<f32>(_e954, _e956, _e952);
                                 } else {
                                     if (_e329 == 1u) {
-                                        phi_1055_ = vec3<f32>(_e952, _e948, _e950);
+                                        phi_1059_ = vec3<f32>(_e956, _e952, _e954);
                                     } else {
-                                        phi_1055_ = (_e946 - vec3<f32>(_e99, _e101, _e103));
+                                        phi_1059_ = (_e950 - vec3<f32>(_e99, _e101, _e103));
                                     }
-                                    let _e960 = phi_1055_;
-                                    phi_1056_ = _e960;
+                                    let _e964 = phi_1059_;
+                                    phi_1060_ = _e964;
                                 }
-                                let _e962 = phi_1056_;
-                                let _e966 = (_e962.x - (_e340 * _e962.z));
-                                let _e970 = (_e962.y - (_e343 * _e962.z));
-                                let _e972 = triangles.member[(0u + _e939)].v1_;
-                                let _e974 = (_e972.x - _e99);
-                                let _e976 = (_e972.y - _e101);
-                                let _e978 = (_e972.z - _e103);
+                                let _e966 = phi_1060_;
+                                let _e970 = (_e966.x - (_e340 * _e966.z));
+                                let _e974 = (_e966.y - (_e343 * _e966.z));
+                                let _e976 = triangles.member[(0u + _e943)].v1_;
+                                let _e978 = (_e976.x - _e99);
+                                let _e980 = (_e976.y - _e101);
+                                let _e982 = (_e976.z - _e103);
                                 if (_e329 == 0u) {
-                                    phi_1086_ = vec3<f32>(_e976, _e978, _e974);
+                                    phi_1090_ = vec3<f32>(_e980, _e982, _e978);
                                 } else {
                                     if (_e329 == 1u) {
-                                        phi_1085_ = vec3<f32>(_e978, _e974, _e976);
+                                        phi_1089_ = vec3<f32>(_e982, _e978, _e980);
                                     } else {
-                                        phi_1085_ = (_e972 - vec3<f32>(_e99, _e101, _e103));
+                                        phi_1089_ = (_e976 - vec3<f32>(_e99, _e101, _e103));
                                     }
-                                    let _e986 = phi_1085_;
-                                    phi_1086_ = _e986;
+                                    let _e990 = phi_1089_;
+                                    phi_1090_ = _e990;
                                 }
-                                let _e988 = phi_1086_;
-                                let _e992 = (_e988.x - (_e340 * _e988.z));
-                                let _e996 = (_e988.y - (_e343 * _e988.z));
-                                let _e998 = triangles.member[(0u + _e939)].v2_;
-                                let _e1000 = (_e998.x - _e99);
-                                let _e1002 = (_e998.y - _e101);
-                                let _e1004 = (_e998.z - _e103);
+                                let _e992 = phi_1090_;
+                                let _e996 = (_e992.x - (_e340 * _e992.z));
+                                let _e1000 = (_e992.y - (_e343 * _e992.z));
+                                let _e1002 = triangles.member[(0u + _e943)].v2_;
+                                let _e1004 = (_e1002.x - _e99);
+                                let _e1006 = (_e1002.y - _e101);
+                                let _e1008 = (_e1002.z - _e103);
                                 if (_e329 == 0u) {
-                                    phi_1116_ = vec3<f32>(_e1002, _e1004, _e1000);
+                                    phi_1120_ = vec3<f32>(_e1006, _e1008, _e1004);
                                 } else {
                                     if (_e329 == 1u) {
-                                        phi_1115_ = vec3<f32>(_e1004, _e1000, _e1002);
+                                        phi_1119_ = vec3<f32>(_e1008, _e1004, _e1006);
                                     } else {
-                                        phi_1115_ = (_e998 - vec3<f32>(_e99, _e101, _e103));
+                                        phi_1119_ = (_e1002 - vec3<f32>(_e99, _e101, _e103));
                                     }
-                                    let _e1012 = phi_1115_;
-                                    phi_1116_ = _e1012;
+                                    let _e1016 = phi_1119_;
+                                    phi_1120_ = _e1016;
                                 }
-                                let _e1014 = phi_1116_;
-                                let _e1018 = (_e1014.x - (_e340 * _e1014.z));
-                                let _e1022 = (_e1014.y - (_e343 * _e1014.z));
-                                if (_e992 < _e1018) {
-                                    phi_1135_ = true;
+                                let _e1018 = phi_1120_;
+                                let _e1022 = (_e1018.x - (_e340 * _e1018.z));
+                                let _e1026 = (_e1018.y - (_e343 * _e1018.z));
+                                if (_e996 < _e1022) {
+                                    phi_1139_ = true;
                                 } else {
-                                    if (_e992 == _e1018) {
-                                        phi_1134_ = (_e996 < _e1022);
+                                    if (_e996 == _e1022) {
+                                        phi_1138_ = (_e1000 < _e1026);
                                     } else {
-                                        phi_1134_ = false;
+                                        phi_1138_ = false;
                                     }
-                                    let _e1027 = phi_1134_;
-                                    phi_1135_ = _e1027;
+                                    let _e1031 = phi_1138_;
+                                    phi_1139_ = _e1031;
                                 }
-                                let _e1029 = phi_1135_;
-                                if _e1029 {
-                                    phi_1139_ = _e1022;
-                                    phi_1140_ = _e1018;
-                                    phi_1141_ = _e996;
-                                    phi_1142_ = _e992;
+                                let _e1033 = phi_1139_;
+                                if _e1033 {
+                                    phi_1143_ = _e1026;
+                                    phi_1144_ = _e1022;
+                                    phi_1145_ = _e1000;
+                                    phi_1146_ = _e996;
                                 } else {
-                                    phi_1139_ = _e996;
-                                    phi_1140_ = _e992;
-                                    phi_1141_ = _e1022;
-                                    phi_1142_ = _e1018;
+                                    phi_1143_ = _e1000;
+                                    phi_1144_ = _e996;
+                                    phi_1145_ = _e1026;
+                                    phi_1146_ = _e1022;
                                 }
-                                let _e1031 = phi_1139_;
-                                let _e1033 = phi_1140_;
-                                let _e1035 = phi_1141_;
-                                let _e1037 = phi_1142_;
-                                let _e1040 = ((_e1037 * _e1031) - (_e1035 * _e1033));
-                                if _e1029 {
-                                    phi_1150_ = -(_e1040);
+                                let _e1035 = phi_1143_;
+                                let _e1037 = phi_1144_;
+                                let _e1039 = phi_1145_;
+                                let _e1041 = phi_1146_;
+                                let _e1044 = ((_e1041 * _e1035) - (_e1039 * _e1037));
+                                if _e1033 {
+                                    phi_1154_ = -(_e1044);
                                 } else {
-                                    phi_1150_ = _e1040;
+                                    phi_1154_ = _e1044;
                                 }
-                                let _e1043 = phi_1150_;
-                                if (_e1018 < _e966) {
-                                    phi_1161_ = true;
+                                let _e1047 = phi_1154_;
+                                if (_e1022 < _e970) {
+                                    phi_1165_ = true;
                                 } else {
-                                    if (_e1018 == _e966) {
-                                        phi_1160_ = (_e1022 < _e970);
+                                    if (_e1022 == _e970) {
+                                        phi_1164_ = (_e1026 < _e974);
                                     } else {
-                                        phi_1160_ = false;
+                                        phi_1164_ = false;
                                     }
-                                    let _e1048 = phi_1160_;
-                                    phi_1161_ = _e1048;
+                                    let _e1052 = phi_1164_;
+                                    phi_1165_ = _e1052;
                                 }
-                                let _e1050 = phi_1161_;
-                                if _e1050 {
-                                    phi_1165_ = _e970;
-                                    phi_1166_ = _e966;
-                                    phi_1167_ = _e1022;
-                                    phi_1168_ = _e1018;
+                                let _e1054 = phi_1165_;
+                                if _e1054 {
+                                    phi_1169_ = _e974;
+                                    phi_1170_ = _e970;
+                                    phi_1171_ = _e1026;
+                                    phi_1172_ = _e1022;
                                 } else {
-                                    phi_1165_ = _e1022;
-                                    phi_1166_ = _e1018;
-                                    phi_1167_ = _e970;
-                                    phi_1168_ = _e966;
+                                    phi_1169_ = _e1026;
+                                    phi_1170_ = _e1022;
+                                    phi_1171_ = _e974;
+                                    phi_1172_ = _e970;
                                 }
-                                let _e1052 = phi_1165_;
-                                let _e1054 = phi_1166_;
-                                let _e1056 = phi_1167_;
-                                let _e1058 = phi_1168_;
-                                let _e1061 = ((_e1058 * _e1052) - (_e1056 * _e1054));
-                                if _e1050 {
-                                    phi_1176_ = -(_e1061);
+                                let _e1056 = phi_1169_;
+                                let _e1058 = phi_1170_;
+                                let _e1060 = phi_1171_;
+                                let _e1062 = phi_1172_;
+                                let _e1065 = ((_e1062 * _e1056) - (_e1060 * _e1058));
+                                if _e1054 {
+                                    phi_1180_ = -(_e1065);
                                 } else {
-                                    phi_1176_ = _e1061;
+                                    phi_1180_ = _e1065;
                                 }
-                                let _e1064 = phi_1176_;
-                                if (_e966 < _e992) {
-                                    phi_1187_ = true;
+                                let _e1068 = phi_1180_;
+                                if (_e970 < _e996) {
+                                    phi_1191_ = true;
                                 } else {
-                                    if (_e966 == _e992) {
-                                        phi_1186_ = (_e970 < _e996);
+                                    if (_e970 == _e996) {
+                                        phi_1190_ = (_e974 < _e1000);
                                     } else {
-                                        phi_1186_ = false;
+                                        phi_1190_ = false;
                                     }
-                                    let _e1069 = phi_1186_;
-                                    phi_1187_ = _e1069;
+                                    let _e1073 = phi_1190_;
+                                    phi_1191_ = _e1073;
                                 }
-                                let _e1071 = phi_1187_;
-                                if _e1071 {
-                                    phi_1191_ = _e996;
-                                    phi_1192_ = _e992;
-                                    phi_1193_ = _e970;
-                                    phi_1194_ = _e966;
+                                let _e1075 = phi_1191_;
+                                if _e1075 {
+                                    phi_1195_ = _e1000;
+                                    phi_1196_ = _e996;
+                                    phi_1197_ = _e974;
+                                    phi_1198_ = _e970;
                                 } else {
-                                    phi_1191_ = _e970;
-                                    phi_1192_ = _e966;
-                                    phi_1193_ = _e996;
-                                    phi_1194_ = _e992;
+                                    phi_1195_ = _e974;
+                                    phi_1196_ = _e970;
+                                    phi_1197_ = _e1000;
+                                    phi_1198_ = _e996;
                                 }
-                                let _e1073 = phi_1191_;
-                                let _e1075 = phi_1192_;
-                                let _e1077 = phi_1193_;
-                                let _e1079 = phi_1194_;
-                                let _e1082 = ((_e1079 * _e1073) - (_e1077 * _e1075));
-                                if _e1071 {
-                                    phi_1202_ = -(_e1082);
+                                let _e1077 = phi_1195_;
+                                let _e1079 = phi_1196_;
+                                let _e1081 = phi_1197_;
+                                let _e1083 = phi_1198_;
+                                let _e1086 = ((_e1083 * _e1077) - (_e1081 * _e1079));
+                                if _e1075 {
+                                    phi_1206_ = -(_e1086);
                                 } else {
-                                    phi_1202_ = _e1082;
+                                    phi_1206_ = _e1086;
                                 }
-                                let _e1085 = phi_1202_;
-                                if (_e1043 >= 0f) {
-                                    if (_e1064 >= 0f) {
-                                        if (_e1085 >= 0f) {
-                                            phi_1217_ = ((_e1043 + _e1064) + _e1085);
-                                            phi_1218_ = false;
+                                let _e1089 = phi_1206_;
+                                if (_e1047 >= 0f) {
+                                    if (_e1068 >= 0f) {
+                                        if (_e1089 >= 0f) {
+                                            phi_1221_ = ((_e1047 + _e1068) + _e1089);
+                                            phi_1222_ = false;
                                         } else {
-                                            phi_1217_ = f32();
-                                            phi_1218_ = true;
+                                            phi_1221_ = f32();
+                                            phi_1222_ = true;
                                         }
-                                        let _e1092 = phi_1217_;
-                                        let _e1094 = phi_1218_;
-                                        phi_1219_ = _e1092;
-                                        phi_1220_ = _e1094;
+                                        let _e1096 = phi_1221_;
+                                        let _e1098 = phi_1222_;
+                                        phi_1223_ = _e1096;
+                                        phi_1224_ = _e1098;
                                     } else {
-                                        phi_1219_ = f32();
-                                        phi_1220_ = true;
+                                        phi_1223_ = f32();
+                                        phi_1224_ = true;
                                     }
-                                    let _e1096 = phi_1219_;
-                                    let _e1098 = phi_1220_;
-                                    phi_1221_ = _e1096;
-                                    phi_1222_ = _e1098;
+                                    let _e1100 = phi_1223_;
+                                    let _e1102 = phi_1224_;
+                                    phi_1225_ = _e1100;
+                                    phi_1226_ = _e1102;
                                 } else {
-                                    phi_1221_ = f32();
-                                    phi_1222_ = true;
+                                    phi_1225_ = f32();
+                                    phi_1226_ = true;
                                 }
-                                let _e1100 = phi_1221_;
-                                let _e1102 = phi_1222_;
-                                if _e1102 {
-                                    if (_e1043 <= 0f) {
-                                        if (_e1064 <= 0f) {
-                                            let _e1105 = (_e1085 <= 0f);
-                                            if _e1105 {
+                                let _e1104 = phi_1225_;
+                                let _e1106 = phi_1226_;
+                                if _e1106 {
+                                    if (_e1047 <= 0f) {
+                                        if (_e1068 <= 0f) {
+                                            let _e1109 = (_e1089 <= 0f);
+                                            if _e1109 {
                                             }
-                                            phi_1240_ = ((_e1043 + _e1064) + _e1085);
-                                            phi_1241_ = false;
-                                            phi_1242_ = _e1105;
+                                            phi_1244_ = ((_e1047 + _e1068) + _e1089);
+                                            phi_1245_ = false;
+                                            phi_1246_ = _e1109;
                                         } else {
-                                            phi_1240_ = f32();
-                                            phi_1241_ = true;
-                                            phi_1242_ = false;
+                                            phi_1244_ = f32();
+                                            phi_1245_ = true;
+                                            phi_1246_ = false;
                                         }
-                                        let _e1109 = phi_1240_;
-                                        let _e1111 = phi_1241_;
-                                        let _e1113 = phi_1242_;
-                                        phi_1243_ = _e1109;
-                                        phi_1244_ = _e1111;
-                                        phi_1245_ = _e1113;
+                                        let _e1113 = phi_1244_;
+                                        let _e1115 = phi_1245_;
+                                        let _e1117 = phi_1246_;
+                                        phi_1247_ = _e1113;
+                                        phi_1248_ = _e1115;
+                                        phi_1249_ = _e1117;
                                     } else {
-                                        phi_1243_ = f32();
-                                        phi_1244_ = true;
-                                        phi_1245_ = false;
-                                    }
-                                    let _e1115 = phi_1243_;
-                                    let _e1117 = phi_1244_;
-                                    let _e1119 = phi_1245_;
-                                    if _e1117 {
+                                        phi_1247_ = f32();
+                                        phi_1248_ = true;
                                         phi_1249_ = false;
-                                    } else {
-                                        phi_1249_ = _e1119;
                                     }
-                                    let _e1121 = phi_1249_;
-                                    phi_1250_ = _e1115;
-                                    phi_1251_ = _e1121;
-                                } else {
-                                    phi_1250_ = _e1100;
-                                    phi_1251_ = true;
-                                }
-                                let _e1123 = phi_1250_;
-                                let _e1125 = phi_1251_;
-                                if _e1125 {
-                                    let _e1126 = (_e1123 == 0f);
-                                    if _e1126 {
-                                        phi_1567_ = lt_bvh_triangle_Intersection();
-                                        phi_1568_ = false;
+                                    let _e1119 = phi_1247_;
+                                    let _e1121 = phi_1248_;
+                                    let _e1123 = phi_1249_;
+                                    if _e1121 {
+                                        phi_1253_ = false;
                                     } else {
-                                        let _e1128 = triangles.member[(0u + _e939)].v0_;
-                                        let _e1130 = (_e1128.x - _e99);
-                                        let _e1132 = (_e1128.y - _e101);
-                                        let _e1134 = (_e1128.z - _e103);
-                                        if (_e329 == 0u) {
-                                            phi_1280_ = vec3<f32>(_e1132, _e1134, _e1130);
-                                        } else {
-                                            if (_e329 == 1u) {
-                                                phi_1279_ = vec3<f32>(_e1134, _e1130, _e1132);
-                                            } else {
-                                                phi_1279_ = (_e1128 - vec3<f32>(_e99, _e101, _e103));
-                                            }
-                                            let _e1142 = phi_1279_;
-                                            phi_1280_ = _e1142;
-                                        }
-                                        let _e1144 = phi_1280_;
-                                        let _e1146 = triangles.member[(0u + _e939)].v1_;
-                                        let _e1148 = triangles.member[(0u + _e939)].v0_;
-                                        let _e1151 = (_e1146.x - _e1148.x);
-                                        let _e1154 = (_e1146.y - _e1148.y);
-                                        let _e1157 = (_e1146.z - _e1148.z);
-                                        if (_e329 == 0u) {
-                                            phi_1306_ = vec3<f32>(_e1154, _e1157, _e1151);
-                                        } else {
-                                            if (_e329 == 1u) {
-                                                phi_1305_ = vec3<f32>(_e1157, _e1151, _e1154);
-                                            } else {
-                                                phi_1305_ = (_e1146 - _e1148);
-                                            }
-                                            let _e1164 = phi_1305_;
-                                            phi_1306_ = _e1164;
-                                        }
-                                        let _e1166 = phi_1306_;
-                                        let _e1168 = triangles.member[(0u + _e939)].v2_;
-                                        let _e1170 = triangles.member[(0u + _e939)].v0_;
-                                        let _e1173 = (_e1168.x - _e1170.x);
-                                        let _e1176 = (_e1168.y - _e1170.y);
-                                        let _e1179 = (_e1168.z - _e1170.z);
-                                        if (_e329 == 0u) {
-                                            phi_1332_ = vec3<f32>(_e1176, _e1179, _e1173);
-                                        } else {
-                                            if (_e329 == 1u) {
-                                                phi_1331_ = vec3<f32>(_e1179, _e1173, _e1176);
-                                            } else {
-                                                phi_1331_ = (_e1168 - _e1170);
-                                            }
-                                            let _e1186 = phi_1331_;
-                                            phi_1332_ = _e1186;
-                                        }
-                                        let _e1188 = phi_1332_;
-                                        let _e1195 = ((_e1166.y * _e1188.z) - (_e1166.z * _e1188.y));
-                                        let _e1202 = ((_e1166.z * _e1188.x) - (_e1166.x * _e1188.z));
-                                        let _e1209 = ((_e1166.x * _e1188.y) - (_e1166.y * _e1188.x));
-                                        let _e1223 = (((1f / _e337.z) * (((_e1195 * _e1144.x) + (_e1202 * _e1144.y)) + (_e1209 * _e1144.z))) / (((_e1195 * _e340) + (_e1202 * _e343)) + _e1209));
-                                        if (_e1223 > 0f) {
-                                            if (_e1223 < _e109) {
-                                                let _e1227 = triangles.member[(0u + _e939)].v0_;
-                                                let _e1229 = triangles.member[(0u + _e939)].v1_;
-                                                if (_e1227.x < _e1229.x) {
-                                                    phi_1388_ = _e1227.x;
-                                                } else {
-                                                    phi_1388_ = _e1229.x;
-                                                }
-                                                let _e1236 = phi_1388_;
-                                                if (_e1227.y < _e1229.y) {
-                                                    phi_1397_ = _e1227.y;
-                                                } else {
-                                                    phi_1397_ = _e1229.y;
-                                                }
-                                                let _e1243 = phi_1397_;
-                                                if (_e1227.z < _e1229.z) {
-                                                    phi_1406_ = _e1227.z;
-                                                } else {
-                                                    phi_1406_ = _e1229.z;
-                                                }
-                                                let _e1250 = phi_1406_;
-                                                let _e1252 = triangles.member[(0u + _e939)].v2_;
-                                                if (_e1236 < _e1252.x) {
-                                                    phi_1415_ = _e1236;
-                                                } else {
-                                                    phi_1415_ = _e1252.x;
-                                                }
-                                                let _e1257 = phi_1415_;
-                                                if (_e1243 < _e1252.y) {
-                                                    phi_1422_ = _e1243;
-                                                } else {
-                                                    phi_1422_ = _e1252.y;
-                                                }
-                                                let _e1262 = phi_1422_;
-                                                if (_e1250 < _e1252.z) {
-                                                    phi_1429_ = _e1250;
-                                                } else {
-                                                    phi_1429_ = _e1252.z;
-                                                }
-                                                let _e1267 = phi_1429_;
-                                                let _e1269 = triangles.member[(0u + _e939)].v0_;
-                                                let _e1271 = triangles.member[(0u + _e939)].v1_;
-                                                if (_e1269.x > _e1271.x) {
-                                                    phi_1442_ = _e1269.x;
-                                                } else {
-                                                    phi_1442_ = _e1271.x;
-                                                }
-                                                let _e1278 = phi_1442_;
-                                                if (_e1269.y > _e1271.y) {
-                                                    phi_1451_ = _e1269.y;
-                                                } else {
-                                                    phi_1451_ = _e1271.y;
-                                                }
-                                                let _e1285 = phi_1451_;
-                                                if (_e1269.z > _e1271.z) {
-                                                    phi_1460_ = _e1269.z;
-                                                } else {
-                                                    phi_1460_ = _e1271.z;
-                                                }
-                                                let _e1292 = phi_1460_;
-                                                let _e1294 = triangles.member[(0u + _e939)].v2_;
-                                                if (_e1278 > _e1294.x) {
-                                                    phi_1469_ = _e1278;
-                                                } else {
-                                                    phi_1469_ = _e1294.x;
-                                                }
-                                                let _e1299 = phi_1469_;
-                                                if (_e1285 > _e1294.y) {
-                                                    phi_1476_ = _e1285;
-                                                } else {
-                                                    phi_1476_ = _e1294.y;
-                                                }
-                                                let _e1304 = phi_1476_;
-                                                if (_e1292 > _e1294.z) {
-                                                    phi_1483_ = _e1292;
-                                                } else {
-                                                    phi_1483_ = _e1294.z;
-                                                }
-                                                let _e1309 = phi_1483_;
-                                                let _e1313 = ((_e1257 - _e99) * _e258);
-                                                let _e1314 = ((_e1262 - _e101) * _e268);
-                                                let _e1315 = ((_e1267 - _e103) * _e278);
-                                                let _e1319 = ((_e1299 - _e99) * _e258);
-                                                let _e1320 = ((_e1304 - _e101) * _e268);
-                                                let _e1321 = ((_e1309 - _e103) * _e278);
-                                                if (_e1313 < _e1319) {
-                                                    phi_1500_ = _e1313;
-                                                } else {
-                                                    phi_1500_ = _e1319;
-                                                }
-                                                let _e1324 = phi_1500_;
-                                                if (_e1314 < _e1320) {
-                                                    phi_1505_ = _e1314;
-                                                } else {
-                                                    phi_1505_ = _e1320;
-                                                }
-                                                let _e1327 = phi_1505_;
-                                                if (_e1315 < _e1321) {
-                                                    phi_1510_ = _e1315;
-                                                } else {
-                                                    phi_1510_ = _e1321;
-                                                }
-                                                let _e1330 = phi_1510_;
-                                                if (_e1313 > _e1319) {
-                                                    phi_1518_ = _e1313;
-                                                } else {
-                                                    phi_1518_ = _e1319;
-                                                }
-                                                let _e1336 = phi_1518_;
-                                                if (_e1314 > _e1320) {
-                                                    phi_1523_ = _e1314;
-                                                } else {
-                                                    phi_1523_ = _e1320;
-                                                }
-                                                let _e1339 = phi_1523_;
-                                                if (_e1315 > _e1321) {
-                                                    phi_1528_ = _e1315;
-                                                } else {
-                                                    phi_1528_ = _e1321;
-                                                }
-                                                let _e1342 = phi_1528_;
-                                                let _e1346 = core_intrinsics_maximum_number_nsz_f32_((_e1324 - _e313), (_e1327 - _e314));
-                                                let _e1347 = core_intrinsics_maximum_number_nsz_f32_(_e1346, (_e1330 - _e315));
-                                                let _e1348 = core_intrinsics_minimum_number_nsz_f32_((_e1336 + _e313), (_e1339 + _e314));
-                                                let _e1349 = core_intrinsics_minimum_number_nsz_f32_(_e1348, (_e1342 + _e315));
-                                                if (_e1347 > -300000000000000000000000000000000000000f) {
-                                                    phi_1540_ = _e1347;
-                                                } else {
-                                                    phi_1540_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1352 = phi_1540_;
-                                                if (_e1349 < 300000000000000000000000000000000000000f) {
-                                                    phi_1545_ = _e1349;
-                                                } else {
-                                                    phi_1545_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1355 = phi_1545_;
-                                                if (_e1223 < _e1352) {
-                                                    phi_1550_ = _e1352;
-                                                } else {
-                                                    phi_1550_ = _e1223;
-                                                }
-                                                let _e1358 = phi_1550_;
-                                                if (_e1358 > _e1355) {
-                                                    phi_1555_ = _e1355;
-                                                } else {
-                                                    phi_1555_ = _e1358;
-                                                }
-                                                let _e1361 = phi_1555_;
-                                                phi_1560_ = lt_bvh_triangle_Intersection(_e1361, (_e1064 / _e1123), (_e1085 / _e1123), (_e1352 <= _e1355));
-                                                phi_1561_ = false;
-                                            } else {
-                                                phi_1560_ = lt_bvh_triangle_Intersection();
-                                                phi_1561_ = true;
-                                            }
-                                            let _e1367 = phi_1560_;
-                                            let _e1369 = phi_1561_;
-                                            phi_1562_ = _e1367;
-                                            phi_1563_ = _e1369;
-                                        } else {
-                                            phi_1562_ = lt_bvh_triangle_Intersection();
-                                            phi_1563_ = true;
-                                        }
-                                        let _e1371 = phi_1562_;
-                                        let _e1373 = phi_1563_;
-                                        if _e1373 {
-                                        }
-                                        phi_1567_ = _e1371;
-                                        phi_1568_ = _e1373;
+                                        phi_1253_ = _e1123;
                                     }
-                                    let _e1375 = phi_1567_;
-                                    let _e1377 = phi_1568_;
-                                    phi_1569_ = _e1375;
-                                    phi_1570_ = _e1126;
-                                    phi_1571_ = _e1377;
+                                    let _e1125 = phi_1253_;
+                                    phi_1254_ = _e1119;
+                                    phi_1255_ = _e1125;
                                 } else {
-                                    phi_1569_ = lt_bvh_triangle_Intersection();
-                                    phi_1570_ = true;
-                                    phi_1571_ = false;
+                                    phi_1254_ = _e1104;
+                                    phi_1255_ = true;
                                 }
-                                let _e1379 = phi_1569_;
-                                let _e1381 = phi_1570_;
-                                let _e1383 = phi_1571_;
-                                if _e1381 {
-                                    phi_1575_ = true;
+                                let _e1127 = phi_1254_;
+                                let _e1129 = phi_1255_;
+                                if _e1129 {
+                                    let _e1130 = (_e1127 == 0f);
+                                    if _e1130 {
+                                        phi_1571_ = lt_bvh_triangle_Intersection();
+                                        phi_1572_ = false;
+                                    } else {
+                                        let _e1132 = triangles.member[(0u + _e943)].v0_;
+                                        let _e1134 = (_e1132.x - _e99);
+                                        let _e1136 = (_e1132.y - _e101);
+                                        let _e1138 = (_e1132.z - _e103);
+                                        if (_e329 == 0u) {
+                                            phi_1284_ = vec3<f32>(_e1136, _e1138, _e1134);
+                                        } else {
+                                            if (_e329 == 1u) {
+                                                phi_1283_ = vec3<f32>(_e1138, _e1134, _e1136);
+                                            } else {
+                                                phi_1283_ = (_e1132 - vec3<f32>(_e99, _e101, _e103));
+                                            }
+                                            let _e1146 = phi_1283_;
+                                            phi_1284_ = _e1146;
+                                        }
+                                        let _e1148 = phi_1284_;
+                                        let _e1150 = triangles.member[(0u + _e943)].v1_;
+                                        let _e1152 = triangles.member[(0u + _e943)].v0_;
+                                        let _e1155 = (_e1150.x - _e1152.x);
+                                        let _e1158 = (_e1150.y - _e1152.y);
+                                        let _e1161 = (_e1150.z - _e1152.z);
+                                        if (_e329 == 0u) {
+                                            phi_1310_ = vec3<f32>(_e1158, _e1161, _e1155);
+                                        } else {
+                                            if (_e329 == 1u) {
+                                                phi_1309_ = vec3<f32>(_e1161, _e1155, _e1158);
+                                            } else {
+                                                phi_1309_ = (_e1150 - _e1152);
+                                            }
+                                            let _e1168 = phi_1309_;
+                                            phi_1310_ = _e1168;
+                                        }
+                                        let _e1170 = phi_1310_;
+                                        let _e1172 = triangles.member[(0u + _e943)].v2_;
+                                        let _e1174 = triangles.member[(0u + _e943)].v0_;
+                                        let _e1177 = (_e1172.x - _e1174.x);
+                                        let _e1180 = (_e1172.y - _e1174.y);
+                                        let _e1183 = (_e1172.z - _e1174.z);
+                                        if (_e329 == 0u) {
+                                            phi_1336_ = vec3<f32>(_e1180, _e1183, _e1177);
+                                        } else {
+                                            if (_e329 == 1u) {
+                                                phi_1335_ = vec3<f32>(_e1183, _e1177, _e1180);
+                                            } else {
+                                                phi_1335_ = (_e1172 - _e1174);
+                                            }
+                                            let _e1190 = phi_1335_;
+                                            phi_1336_ = _e1190;
+                                        }
+                                        let _e1192 = phi_1336_;
+                                        let _e1199 = ((_e1170.y * _e1192.z) - (_e1170.z * _e1192.y));
+                                        let _e1206 = ((_e1170.z * _e1192.x) - (_e1170.x * _e1192.z));
+                                        let _e1213 = ((_e1170.x * _e1192.y) - (_e1170.y * _e1192.x));
+                                        let _e1227 = (((1f / _e337.z) * (((_e1199 * _e1148.x) + (_e1206 * _e1148.y)) + (_e1213 * _e1148.z))) / (((_e1199 * _e340) + (_e1206 * _e343)) + _e1213));
+                                        if (_e1227 > 0f) {
+                                            if (_e1227 < _e109) {
+                                                let _e1231 = triangles.member[(0u + _e943)].v0_;
+                                                let _e1233 = triangles.member[(0u + _e943)].v1_;
+                                                if (_e1231.x < _e1233.x) {
+                                                    phi_1392_ = _e1231.x;
+                                                } else {
+                                                    phi_1392_ = _e1233.x;
+                                                }
+                                                let _e1240 = phi_1392_;
+                                                if (_e1231.y < _e1233.y) {
+                                                    phi_1401_ = _e1231.y;
+                                                } else {
+                                                    phi_1401_ = _e1233.y;
+                                                }
+                                                let _e1247 = phi_1401_;
+                                                if (_e1231.z < _e1233.z) {
+                                                    phi_1410_ = _e1231.z;
+                                                } else {
+                                                    phi_1410_ = _e1233.z;
+                                                }
+                                                let _e1254 = phi_1410_;
+                                                let _e1256 = triangles.member[(0u + _e943)].v2_;
+                                                if (_e1240 < _e1256.x) {
+                                                    phi_1419_ = _e1240;
+                                                } else {
+                                                    phi_1419_ = _e1256.x;
+                                                }
+                                                let _e1261 = phi_1419_;
+                                                if (_e1247 < _e1256.y) {
+                                                    phi_1426_ = _e1247;
+                                                } else {
+                                                    phi_1426_ = _e1256.y;
+                                                }
+                                                let _e1266 = phi_1426_;
+                                                if (_e1254 < _e1256.z) {
+                                                    phi_1433_ = _e1254;
+                                                } else {
+                                                    phi_1433_ = _e1256.z;
+                                                }
+                                                let _e1271 = phi_1433_;
+                                                let _e1273 = triangles.member[(0u + _e943)].v0_;
+                                                let _e1275 = triangles.member[(0u + _e943)].v1_;
+                                                if (_e1273.x > _e1275.x) {
+                                                    phi_1446_ = _e1273.x;
+                                                } else {
+                                                    phi_1446_ = _e1275.x;
+                                                }
+                                                let _e1282 = phi_1446_;
+                                                if (_e1273.y > _e1275.y) {
+                                                    phi_1455_ = _e1273.y;
+                                                } else {
+                                                    phi_1455_ = _e1275.y;
+                                                }
+                                                let _e1289 = phi_1455_;
+                                                if (_e1273.z > _e1275.z) {
+                                                    phi_1464_ = _e1273.z;
+                                                } else {
+                                                    phi_1464_ = _e1275.z;
+                                                }
+                                                let _e1296 = phi_1464_;
+                                                let _e1298 = triangles.member[(0u + _e943)].v2_;
+                                                if (_e1282 > _e1298.x) {
+                                                    phi_1473_ = _e1282;
+                                                } else {
+                                                    phi_1473_ = _e1298.x;
+                                                }
+                                                let _e1303 = phi_1473_;
+                                                if (_e1289 > _e1298.y) {
+                                                    phi_1480_ = _e1289;
+                                                } else {
+                                                    phi_1480_ = _e1298.y;
+                                                }
+                                                let _e1308 = phi_1480_;
+                                                if (_e1296 > _e1298.z) {
+                                                    phi_1487_ = _e1296;
+                                                } else {
+                                                    phi_1487_ = _e1298.z;
+                                                }
+                                                let _e1313 = phi_1487_;
+                                                let _e1317 = ((_e1261 - _e99) * _e258);
+                                                let _e1318 = ((_e1266 - _e101) * _e268);
+                                                let _e1319 = ((_e1271 - _e103) * _e278);
+                                                let _e1323 = ((_e1303 - _e99) * _e258);
+                                                let _e1324 = ((_e1308 - _e101) * _e268);
+                                                let _e1325 = ((_e1313 - _e103) * _e278);
+                                                if (_e1317 < _e1323) {
+                                                    phi_1504_ = _e1317;
+                                                } else {
+                                                    phi_1504_ = _e1323;
+                                                }
+                                                let _e1328 = phi_1504_;
+                                                if (_e1318 < _e1324) {
+                                                    phi_1509_ = _e1318;
+                                                } else {
+                                                    phi_1509_ = _e1324;
+                                                }
+                                                let _e1331 = phi_1509_;
+                                                if (_e1319 < _e1325) {
+                                                    phi_1514_ = _e1319;
+                                                } else {
+                                                    phi_1514_ = _e1325;
+                                                }
+                                                let _e1334 = phi_1514_;
+                                                if (_e1317 > _e1323) {
+                                                    phi_1522_ = _e1317;
+                                                } else {
+                                                    phi_1522_ = _e1323;
+                                                }
+                                                let _e1340 = phi_1522_;
+                                                if (_e1318 > _e1324) {
+                                                    phi_1527_ = _e1318;
+                                                } else {
+                                                    phi_1527_ = _e1324;
+                                                }
+                                                let _e1343 = phi_1527_;
+                                                if (_e1319 > _e1325) {
+                                                    phi_1532_ = _e1319;
+                                                } else {
+                                                    phi_1532_ = _e1325;
+                                                }
+                                                let _e1346 = phi_1532_;
+                                                let _e1350 = core_intrinsics_maximum_number_nsz_f32_((_e1328 - _e313), (_e1331 - _e314));
+                                                let _e1351 = core_intrinsics_maximum_number_nsz_f32_(_e1350, (_e1334 - _e315));
+                                                let _e1352 = core_intrinsics_minimum_number_nsz_f32_((_e1340 + _e313), (_e1343 + _e314));
+                                                let _e1353 = core_intrinsics_minimum_number_nsz_f32_(_e1352, (_e1346 + _e315));
+                                                if (_e1351 > -300000000000000000000000000000000000000f) {
+                                                    phi_1544_ = _e1351;
+                                                } else {
+                                                    phi_1544_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1356 = phi_1544_;
+                                                if (_e1353 < 300000000000000000000000000000000000000f) {
+                                                    phi_1549_ = _e1353;
+                                                } else {
+                                                    phi_1549_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1359 = phi_1549_;
+                                                if (_e1227 < _e1356) {
+                                                    phi_1554_ = _e1356;
+                                                } else {
+                                                    phi_1554_ = _e1227;
+                                                }
+                                                let _e1362 = phi_1554_;
+                                                if (_e1362 > _e1359) {
+                                                    phi_1559_ = _e1359;
+                                                } else {
+                                                    phi_1559_ = _e1362;
+                                                }
+                                                let _e1365 = phi_1559_;
+                                                phi_1564_ = lt_bvh_triangle_Intersection(_e1365, (_e1068 / _e1127), (_e1089 / _e1127), (_e1356 <= _e1359));
+                                                phi_1565_ = false;
+                                            } else {
+                                                phi_1564_ = lt_bvh_triangle_Intersection();
+                                                phi_1565_ = true;
+                                            }
+                                            let _e1371 = phi_1564_;
+                                            let _e1373 = phi_1565_;
+                                            phi_1566_ = _e1371;
+                                            phi_1567_ = _e1373;
+                                        } else {
+                                            phi_1566_ = lt_bvh_triangle_Intersection();
+                                            phi_1567_ = true;
+                                        }
+                                        let _e1375 = phi_1566_;
+                                        let _e1377 = phi_1567_;
+                                        if _e1377 {
+                                        }
+                                        phi_1571_ = _e1375;
+                                        phi_1572_ = _e1377;
+                                    }
+                                    let _e1379 = phi_1571_;
+                                    let _e1381 = phi_1572_;
+                                    phi_1573_ = _e1379;
+                                    phi_1574_ = _e1130;
+                                    phi_1575_ = _e1381;
                                 } else {
-                                    phi_1575_ = _e1383;
+                                    phi_1573_ = lt_bvh_triangle_Intersection();
+                                    phi_1574_ = true;
+                                    phi_1575_ = false;
                                 }
-                                let _e1385 = phi_1575_;
+                                let _e1383 = phi_1573_;
+                                let _e1385 = phi_1574_;
+                                let _e1387 = phi_1575_;
                                 if _e1385 {
-                                    phi_1579_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    phi_1579_ = true;
                                 } else {
-                                    phi_1579_ = _e1379;
+                                    phi_1579_ = _e1387;
                                 }
-                                let _e1387 = phi_1579_;
-                                if _e1387.is_hit {
-                                    if (_e1387.t > 0f) {
-                                        if (_e1387.t < _e109) {
-                                            let _e1394 = triangles.member[(0u + _e939)].i0_;
-                                            let _e1396 = ((_e1394 & 2147483648u) == 0u);
-                                            if _e1396 {
-                                                phi_1605_ = false;
-                                                phi_1606_ = false;
+                                let _e1389 = phi_1579_;
+                                if _e1389 {
+                                    phi_1583_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_1583_ = _e1383;
+                                }
+                                let _e1391 = phi_1583_;
+                                if _e1391.is_hit {
+                                    if (_e1391.t > 0f) {
+                                        if (_e1391.t < _e109) {
+                                            if true {
+                                                phi_1603_ = false;
                                             } else {
-                                                if true {
-                                                    phi_1604_ = false;
-                                                } else {
-                                                    phi_1604_ = true;
-                                                }
-                                                let _e1398 = phi_1604_;
-                                                phi_1605_ = _e1398;
-                                                phi_1606_ = true;
+                                                phi_1603_ = true;
                                             }
-                                            let _e1400 = phi_1605_;
-                                            let _e1402 = phi_1606_;
-                                            phi_1607_ = _e1400;
-                                            phi_1608_ = _e1396;
-                                            phi_1609_ = _e1402;
+                                            let _e1400 = phi_1603_;
+                                            phi_1604_ = true;
+                                            phi_1605_ = _e1400;
                                         } else {
-                                            phi_1607_ = true;
-                                            phi_1608_ = false;
-                                            phi_1609_ = false;
+                                            phi_1604_ = _e934;
+                                            phi_1605_ = true;
                                         }
-                                        let _e1404 = phi_1607_;
-                                        let _e1406 = phi_1608_;
-                                        let _e1408 = phi_1609_;
-                                        phi_1610_ = _e1404;
-                                        phi_1611_ = _e1406;
-                                        phi_1612_ = _e1408;
+                                        let _e1402 = phi_1604_;
+                                        let _e1404 = phi_1605_;
+                                        phi_1606_ = _e1402;
+                                        phi_1607_ = _e1404;
                                     } else {
-                                        phi_1610_ = true;
-                                        phi_1611_ = false;
-                                        phi_1612_ = false;
+                                        phi_1606_ = _e934;
+                                        phi_1607_ = true;
                                     }
-                                    let _e1410 = phi_1610_;
-                                    let _e1412 = phi_1611_;
-                                    let _e1414 = phi_1612_;
-                                    phi_1613_ = _e1410;
-                                    phi_1614_ = _e1412;
-                                    phi_1615_ = _e1414;
+                                    let _e1406 = phi_1606_;
+                                    let _e1408 = phi_1607_;
+                                    phi_1608_ = _e1406;
+                                    phi_1609_ = _e1408;
                                 } else {
-                                    phi_1613_ = true;
-                                    phi_1614_ = false;
-                                    phi_1615_ = false;
+                                    phi_1608_ = _e934;
+                                    phi_1609_ = true;
                                 }
-                                let _e1416 = phi_1613_;
-                                let _e1418 = phi_1614_;
-                                let _e1420 = phi_1615_;
-                                if _e1416 {
-                                    phi_1619_ = false;
-                                    phi_1620_ = false;
-                                } else {
-                                    phi_1619_ = _e1418;
-                                    phi_1620_ = _e1420;
+                                let _e1410 = phi_1608_;
+                                let _e1412 = phi_1609_;
+                                if _e1412 {
                                 }
-                                let _e1422 = phi_1619_;
-                                let _e1424 = phi_1620_;
-                                phi_1011_ = (_e930 & (_e930 - 1u));
-                                phi_1621_ = _e1416;
-                                phi_1622_ = _e1422;
-                                phi_1623_ = _e1424;
+                                phi_1013_ = (_e932 & (_e932 - 1u));
+                                phi_1016_ = _e1410;
+                                phi_1613_ = _e1412;
                             }
-                            let _e1426 = phi_1011_;
-                            let _e1428 = phi_1621_;
-                            let _e1430 = phi_1622_;
-                            let _e1432 = phi_1623_;
-                            local_6 = _e1430;
-                            local_7 = _e1432;
+                            let _e1414 = phi_1013_;
+                            let _e1416 = phi_1016_;
+                            let _e1418 = phi_1613_;
                             continue;
                             continuing {
-                                phi_1010_ = _e1426;
-                                break if !(_e1428);
+                                phi_1012_ = _e1414;
+                                phi_1015_ = _e1416;
+                                break if !(_e1418);
                             }
                         }
-                        let _e1435 = local_4;
-                        if _e1435 {
-                            let _e1437 = local.group_mask;
-                            if ((_e1437 & 4278190080u) == 0u) {
-                                let _e1441 = local.len;
-                                if (_e1441 == 0u) {
-                                    phi_1665_ = false;
+                        let _e1421 = local_4;
+                        if _e1421 {
+                            let _e1423 = local.group_mask;
+                            if ((_e1423 & 4278190080u) == 0u) {
+                                let _e1427 = local.len;
+                                if (_e1427 == 0u) {
+                                    phi_1655_ = false;
                                 } else {
-                                    let _e1445 = local.len;
-                                    local.len = (_e1445 - 1u);
-                                    let _e1448 = local.len;
-                                    if (_e1448 < 32u) {
+                                    let _e1431 = local.len;
+                                    local.len = (_e1431 - 1u);
+                                    let _e1434 = local.len;
+                                    if (_e1434 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1453 = local.first[(0u + _e1448)];
-                                    local.group = _e1453;
-                                    let _e1456 = local.len;
-                                    if (_e1456 < 32u) {
+                                    let _e1439 = local.first[(0u + _e1434)];
+                                    local.group = _e1439;
+                                    let _e1442 = local.len;
+                                    if (_e1442 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1461 = local.mask[(0u + _e1456)];
-                                    local.group_mask = _e1461;
-                                    phi_1665_ = true;
+                                    let _e1447 = local.mask[(0u + _e1442)];
+                                    local.group_mask = _e1447;
+                                    phi_1655_ = true;
                                 }
-                                let _e1464 = phi_1665_;
-                                phi_1666_ = _e1464;
+                                let _e1450 = phi_1655_;
+                                phi_1656_ = _e1450;
                             } else {
-                                phi_1666_ = true;
+                                phi_1656_ = true;
                             }
-                            let _e1466 = phi_1666_;
-                            if _e1466 {
-                                let _e1468 = local.group_mask;
-                                let _e1474 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1468)), 32u, (_e1468 == 0u)));
+                            let _e1452 = phi_1656_;
+                            if _e1452 {
+                                let _e1454 = local.group_mask;
+                                let _e1460 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1454)), 32u, (_e1454 == 0u)));
+                                let _e1464 = local.group_mask;
                                 let _e1478 = local.group_mask;
-                                let _e1492 = local.group_mask;
-                                local.group_mask = (_e1492 & ~((1u << bitcast<u32>((_e1474 & 31u)))));
-                                let _e1495 = local.group;
-                                phi_1697_ = (_e1495 + countOneBits(((_e1478 & ~((4294967295u << bitcast<u32>((((_e1474 - 24u) ^ _e356) & 31u))))) & 255u)));
+                                local.group_mask = (_e1478 & ~((1u << bitcast<u32>((_e1460 & 31u)))));
+                                let _e1481 = local.group;
+                                phi_1687_ = (_e1481 + countOneBits(((_e1464 & ~((4294967295u << bitcast<u32>((((_e1460 - 24u) ^ _e356) & 31u))))) & 255u)));
                             } else {
-                                phi_1697_ = 4294967295u;
+                                phi_1687_ = 4294967295u;
                             }
-                            let _e1498 = phi_1697_;
-                            phi_1698_ = _e1498;
-                            phi_1699_ = false;
-                            phi_1700_ = false;
+                            let _e1484 = phi_1687_;
+                            phi_1688_ = _e1484;
                         } else {
-                            phi_1698_ = u32();
-                            let _e1713 = local_6;
-                            phi_1699_ = _e1713;
-                            let _e1716 = local_7;
-                            phi_1700_ = _e1716;
+                            phi_1688_ = u32();
                         }
-                        let _e1500 = phi_1698_;
-                        let _e1502 = phi_1699_;
-                        let _e1504 = phi_1700_;
-                        phi_681_ = _e1500;
-                        let _e1720 = local_8;
-                        phi_1701_ = _e1720;
-                        phi_1702_ = false;
-                        phi_1703_ = _e1502;
-                        phi_1704_ = _e1504;
+                        let _e1486 = phi_1688_;
+                        phi_681_ = _e1486;
+                        let _e1684 = local_6;
+                        phi_684_ = _e1684;
+                        let _e1687 = local_7;
+                        phi_1689_ = _e1687;
+                        phi_1690_ = false;
                     } else {
                         phi_681_ = u32();
-                        phi_1701_ = false;
-                        phi_1702_ = true;
-                        phi_1703_ = false;
-                        phi_1704_ = false;
+                        phi_684_ = bool();
+                        phi_1689_ = false;
+                        phi_1690_ = true;
                     }
-                    let _e1506 = phi_681_;
-                    let _e1508 = phi_1701_;
-                    let _e1510 = phi_1702_;
-                    let _e1512 = phi_1703_;
-                    let _e1514 = phi_1704_;
-                    local_5 = _e1510;
-                    local_9 = _e1512;
-                    local_10 = _e1514;
+                    let _e1488 = phi_681_;
+                    let _e1490 = phi_684_;
+                    let _e1492 = phi_1689_;
+                    let _e1494 = phi_1690_;
+                    local_5 = _e1494;
                     continue;
                     continuing {
-                        phi_680_ = _e1506;
-                        break if !(_e1508);
+                        phi_680_ = _e1488;
+                        phi_683_ = _e1490;
+                        break if !(_e1492);
                     }
                 }
-                let _e1517 = local_5;
-                if _e1517 {
-                    phi_1708_ = false;
-                    phi_1709_ = false;
+                let _e1497 = local_5;
+                if _e1497 {
+                    phi_1694_ = false;
                 } else {
-                    let _e1727 = local_9;
-                    phi_1708_ = _e1727;
-                    let _e1730 = local_10;
-                    phi_1709_ = _e1730;
+                    phi_1694_ = true;
                 }
-                let _e1519 = phi_1708_;
-                let _e1521 = phi_1709_;
-                if _e1519 {
-                    phi_1713_ = true;
+                let _e1499 = phi_1694_;
+                if _e1499 {
+                    phi_1698_ = true;
                 } else {
-                    phi_1713_ = _e1521;
+                    let _e1693 = local_8;
+                    phi_1698_ = _e1693;
                 }
-                let _e1523 = phi_1713_;
-                if _e1523 {
-                    phi_1717_ = true;
-                } else {
-                    phi_1717_ = false;
-                }
-                let _e1525 = phi_1717_;
-                phi_1718_ = _e1525;
+                let _e1501 = phi_1698_;
+                phi_1699_ = _e1501;
             }
-            let _e1527 = phi_1718_;
-            phi_1719_ = _e1527;
-            phi_1720_ = _e182;
+            let _e1503 = phi_1699_;
+            phi_1700_ = _e1503;
+            phi_1701_ = _e182;
         } else {
-            phi_1719_ = bool();
-            phi_1720_ = true;
+            phi_1700_ = bool();
+            phi_1701_ = true;
         }
-        let _e1529 = phi_1719_;
-        let _e1531 = phi_1720_;
-        if _e1531 {
-            phi_1724_ = false;
+        let _e1505 = phi_1700_;
+        let _e1507 = phi_1701_;
+        if _e1507 {
+            phi_1705_ = false;
         } else {
-            phi_1724_ = _e1529;
+            phi_1705_ = _e1505;
         }
-        let _e1533 = phi_1724_;
-        if _e1533 {
-            phi_1728_ = 0f;
+        let _e1509 = phi_1705_;
+        if _e1509 {
+            phi_1709_ = 0f;
         } else {
-            phi_1728_ = 1f;
+            phi_1709_ = 1f;
         }
-        let _e1535 = phi_1728_;
+        let _e1511 = phi_1709_;
         if (_e79 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e79)] = _e1535;
+        visibility.member[(0u + _e79)] = _e1511;
     }
     return;
 }

@@ -33,11 +33,48 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
     row_z: vec4<f32>,
     row_w: vec4<f32>,
+}
+
+struct abi_ShadowParams {
+    projection: lt_math_LightProjection,
+    light: abi_LightParams,
+    test: vec4<f32>,
+    size: vec2<u32>,
+    map_size: u32,
+    epsilon: f32,
+    root: u32,
+    level_count: u32,
+    pad0_: u32,
+    pad1_: u32,
+}
+
+struct type_32 {
+    member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_37 {
+    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Triangle {
@@ -49,43 +86,8 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_31 {
+struct type_41 {
     member: array<lt_bvh_Triangle>,
-}
-
-struct lt_bvh_Instance {
-    world_to_object: array<vec4<f32>, 3>,
-    object_to_world: array<vec4<f32>, 3>,
-    low_world: vec3<f32>,
-    root: u32,
-    high_world: vec3<f32>,
-    first_triangle: u32,
-    source: u32,
-    padding: array<u32, 3>,
-}
-
-struct type_38 {
-    member: array<lt_bvh_Instance>,
-}
-
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_47 {
-    member: array<lt_bvh_Node>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
@@ -100,21 +102,19 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-struct abi_ShadowParams {
-    projection: lt_math_LightProjection,
-    light: abi_LightParams,
-    test: vec4<f32>,
-    size: vec2<u32>,
-    map_size: u32,
-    epsilon: f32,
+struct lt_bvh_Instance {
+    world_to_object: array<vec4<f32>, 3>,
+    object_to_world: array<vec4<f32>, 3>,
+    low_world: vec3<f32>,
     root: u32,
-    level_count: u32,
-    fade_uv: f32,
-    pad0_: u32,
+    high_world: vec3<f32>,
+    first_triangle: u32,
+    source: u32,
+    padding: array<u32, 3>,
 }
 
-struct type_53 {
-    member: abi_ShadowParams,
+struct type_51 {
+    member: array<lt_bvh_Instance>,
 }
 
 var<private> id_1: vec3<u32>;
@@ -122,14 +122,14 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
-@group(0) @binding(6) 
-var<storage> instances: type_38;
 @group(0) @binding(0) 
-var<uniform> p: type_53;
+var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> nodes: type_47;
+var<storage> nodes: type_37;
 @group(0) @binding(3) 
-var<storage> triangles: type_31;
+var<storage> triangles: type_41;
+@group(0) @binding(6) 
+var<storage> instances: type_51;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 
@@ -220,41 +220,39 @@ fn function_() {
     var phi_630_: bool;
     var phi_661_: u32;
     var phi_663_: u32;
-    var phi_744_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_771_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_798_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_804_: u32;
-    var phi_807_: u32;
-    var phi_821_: u32;
-    var phi_831_: u32;
-    var phi_841_: u32;
-    var phi_859_: u32;
-    var phi_869_: u32;
-    var phi_879_: u32;
-    var phi_915_: u32;
-    var phi_928_: u32;
-    var phi_933_: u32;
-    var phi_934_: u32;
+    var phi_666_: bool;
+    var phi_746_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_773_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_800_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_806_: u32;
+    var phi_809_: u32;
+    var phi_823_: u32;
+    var phi_833_: u32;
+    var phi_843_: u32;
+    var phi_861_: u32;
+    var phi_871_: u32;
+    var phi_881_: u32;
+    var phi_917_: u32;
+    var phi_930_: u32;
     var phi_935_: u32;
-    var phi_805_: u32;
-    var phi_808_: u32;
+    var phi_936_: u32;
+    var phi_937_: u32;
+    var phi_807_: u32;
+    var phi_810_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_993_: u32;
-    var phi_1043_: f32;
-    var phi_1048_: f32;
-    var phi_1053_: f32;
-    var phi_1061_: f32;
-    var phi_1066_: f32;
-    var phi_1071_: f32;
-    var phi_1215_: bool;
-    var phi_1216_: bool;
-    var phi_1217_: bool;
+    var phi_995_: u32;
+    var phi_998_: bool;
+    var phi_1047_: f32;
+    var phi_1052_: f32;
+    var phi_1057_: f32;
+    var phi_1065_: f32;
+    var phi_1070_: f32;
+    var phi_1075_: f32;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
     var phi_1221_: bool;
-    var phi_1222_: bool;
-    var phi_1223_: bool;
-    var phi_1224_: bool;
     var phi_1225_: bool;
     var phi_1226_: bool;
     var phi_1227_: bool;
@@ -269,136 +267,139 @@ fn function_() {
     var phi_1236_: bool;
     var phi_1237_: bool;
     var phi_1238_: bool;
+    var phi_1239_: bool;
+    var phi_1240_: bool;
+    var phi_1241_: bool;
     var phi_1242_: bool;
     var phi_1246_: bool;
-    var phi_1316_: f32;
-    var phi_1323_: f32;
-    var phi_1330_: f32;
-    var phi_1337_: f32;
-    var phi_1344_: f32;
-    var phi_1351_: f32;
-    var phi_1368_: f32;
-    var phi_1373_: f32;
-    var phi_1378_: f32;
-    var phi_1406_: bool;
-    var phi_1407_: bool;
-    var phi_1415_: u32;
-    var phi_1416_: u32;
-    var phi_1427_: vec3<f32>;
-    var phi_1428_: vec3<f32>;
-    var phi_1441_: u32;
-    var phi_1446_: u32;
-    var phi_1451_: u32;
-    var phi_1565_: bool;
-    var phi_1566_: bool;
-    var phi_1597_: u32;
-    var phi_1599_: u32;
-    var phi_1680_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1707_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1734_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1740_: u32;
-    var phi_1743_: u32;
-    var phi_1757_: u32;
-    var phi_1767_: u32;
-    var phi_1777_: u32;
-    var phi_1795_: u32;
-    var phi_1805_: u32;
-    var phi_1815_: u32;
-    var phi_1851_: u32;
-    var phi_1864_: u32;
-    var phi_1869_: u32;
+    var phi_1250_: bool;
+    var phi_1320_: f32;
+    var phi_1327_: f32;
+    var phi_1334_: f32;
+    var phi_1341_: f32;
+    var phi_1348_: f32;
+    var phi_1355_: f32;
+    var phi_1372_: f32;
+    var phi_1377_: f32;
+    var phi_1382_: f32;
+    var phi_1410_: bool;
+    var phi_1411_: bool;
+    var phi_1419_: u32;
+    var phi_1420_: u32;
+    var phi_1431_: vec3<f32>;
+    var phi_1432_: vec3<f32>;
+    var phi_1445_: u32;
+    var phi_1450_: u32;
+    var phi_1455_: u32;
+    var phi_1569_: bool;
+    var phi_1570_: bool;
+    var phi_1601_: u32;
+    var phi_1603_: u32;
+    var phi_1606_: bool;
+    var phi_1686_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1713_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1740_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1746_: u32;
+    var phi_1749_: u32;
+    var phi_1763_: u32;
+    var phi_1773_: u32;
+    var phi_1783_: u32;
+    var phi_1801_: u32;
+    var phi_1811_: u32;
+    var phi_1821_: u32;
+    var phi_1857_: u32;
     var phi_1870_: u32;
-    var phi_1871_: u32;
-    var phi_1741_: u32;
-    var phi_1744_: u32;
+    var phi_1875_: u32;
+    var phi_1876_: u32;
+    var phi_1877_: u32;
+    var phi_1747_: u32;
+    var phi_1750_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_1929_: u32;
-    var phi_1974_: vec3<f32>;
-    var phi_1975_: vec3<f32>;
-    var phi_2004_: vec3<f32>;
-    var phi_2005_: vec3<f32>;
-    var phi_2034_: vec3<f32>;
-    var phi_2035_: vec3<f32>;
-    var phi_2053_: bool;
-    var phi_2054_: bool;
-    var phi_2058_: f32;
-    var phi_2059_: f32;
-    var phi_2060_: f32;
-    var phi_2061_: f32;
+    var phi_1935_: u32;
+    var phi_1938_: bool;
+    var phi_1982_: vec3<f32>;
+    var phi_1983_: vec3<f32>;
+    var phi_2012_: vec3<f32>;
+    var phi_2013_: vec3<f32>;
+    var phi_2042_: vec3<f32>;
+    var phi_2043_: vec3<f32>;
+    var phi_2061_: bool;
+    var phi_2062_: bool;
+    var phi_2066_: f32;
+    var phi_2067_: f32;
+    var phi_2068_: f32;
     var phi_2069_: f32;
-    var phi_2079_: bool;
-    var phi_2080_: bool;
-    var phi_2084_: f32;
-    var phi_2085_: f32;
-    var phi_2086_: f32;
-    var phi_2087_: f32;
+    var phi_2077_: f32;
+    var phi_2087_: bool;
+    var phi_2088_: bool;
+    var phi_2092_: f32;
+    var phi_2093_: f32;
+    var phi_2094_: f32;
     var phi_2095_: f32;
-    var phi_2105_: bool;
-    var phi_2106_: bool;
-    var phi_2110_: f32;
-    var phi_2111_: f32;
-    var phi_2112_: f32;
-    var phi_2113_: f32;
+    var phi_2103_: f32;
+    var phi_2113_: bool;
+    var phi_2114_: bool;
+    var phi_2118_: f32;
+    var phi_2119_: f32;
+    var phi_2120_: f32;
     var phi_2121_: f32;
-    var phi_2136_: f32;
-    var phi_2137_: bool;
-    var phi_2138_: f32;
-    var phi_2139_: bool;
-    var phi_2140_: f32;
-    var phi_2141_: bool;
-    var phi_2159_: f32;
-    var phi_2160_: bool;
-    var phi_2161_: bool;
-    var phi_2162_: f32;
-    var phi_2163_: bool;
-    var phi_2164_: bool;
+    var phi_2129_: f32;
+    var phi_2144_: f32;
+    var phi_2145_: bool;
+    var phi_2146_: f32;
+    var phi_2147_: bool;
+    var phi_2148_: f32;
+    var phi_2149_: bool;
+    var phi_2167_: f32;
     var phi_2168_: bool;
-    var phi_2169_: f32;
-    var phi_2170_: bool;
-    var phi_2198_: vec3<f32>;
-    var phi_2199_: vec3<f32>;
-    var phi_2224_: vec3<f32>;
-    var phi_2225_: vec3<f32>;
-    var phi_2250_: vec3<f32>;
-    var phi_2251_: vec3<f32>;
-    var phi_2307_: f32;
-    var phi_2316_: f32;
-    var phi_2325_: f32;
-    var phi_2334_: f32;
-    var phi_2341_: f32;
-    var phi_2348_: f32;
-    var phi_2361_: f32;
-    var phi_2370_: f32;
-    var phi_2379_: f32;
-    var phi_2388_: f32;
-    var phi_2395_: f32;
-    var phi_2402_: f32;
-    var phi_2419_: f32;
-    var phi_2424_: f32;
-    var phi_2429_: f32;
+    var phi_2169_: bool;
+    var phi_2170_: f32;
+    var phi_2171_: bool;
+    var phi_2172_: bool;
+    var phi_2176_: bool;
+    var phi_2177_: f32;
+    var phi_2178_: bool;
+    var phi_2206_: vec3<f32>;
+    var phi_2207_: vec3<f32>;
+    var phi_2232_: vec3<f32>;
+    var phi_2233_: vec3<f32>;
+    var phi_2258_: vec3<f32>;
+    var phi_2259_: vec3<f32>;
+    var phi_2315_: f32;
+    var phi_2324_: f32;
+    var phi_2333_: f32;
+    var phi_2342_: f32;
+    var phi_2349_: f32;
+    var phi_2356_: f32;
+    var phi_2369_: f32;
+    var phi_2378_: f32;
+    var phi_2387_: f32;
+    var phi_2396_: f32;
+    var phi_2403_: f32;
+    var phi_2410_: f32;
+    var phi_2427_: f32;
+    var phi_2432_: f32;
     var phi_2437_: f32;
-    var phi_2442_: f32;
-    var phi_2447_: f32;
-    var phi_2459_: f32;
-    var phi_2464_: f32;
-    var phi_2469_: f32;
-    var phi_2474_: f32;
-    var phi_2479_: lt_bvh_triangle_Intersection;
-    var phi_2480_: bool;
-    var phi_2481_: lt_bvh_triangle_Intersection;
-    var phi_2482_: bool;
-    var phi_2486_: lt_bvh_triangle_Intersection;
-    var phi_2487_: bool;
-    var phi_2488_: lt_bvh_triangle_Intersection;
-    var phi_2489_: bool;
+    var phi_2445_: f32;
+    var phi_2450_: f32;
+    var phi_2455_: f32;
+    var phi_2467_: f32;
+    var phi_2472_: f32;
+    var phi_2477_: f32;
+    var phi_2482_: f32;
+    var phi_2487_: lt_bvh_triangle_Intersection;
+    var phi_2488_: bool;
+    var phi_2489_: lt_bvh_triangle_Intersection;
     var phi_2490_: bool;
-    var phi_2494_: bool;
-    var phi_2498_: lt_bvh_triangle_Intersection;
-    var phi_2523_: bool;
-    var phi_2524_: bool;
-    var phi_2525_: bool;
+    var phi_2494_: lt_bvh_triangle_Intersection;
+    var phi_2495_: bool;
+    var phi_2496_: lt_bvh_triangle_Intersection;
+    var phi_2497_: bool;
+    var phi_2498_: bool;
+    var phi_2502_: bool;
+    var phi_2506_: lt_bvh_triangle_Intersection;
     var phi_2526_: bool;
     var phi_2527_: bool;
     var phi_2528_: bool;
@@ -406,63 +407,58 @@ fn function_() {
     var phi_2530_: bool;
     var phi_2531_: bool;
     var phi_2532_: bool;
-    var phi_2533_: bool;
-    var phi_2534_: bool;
-    var phi_2538_: bool;
-    var phi_2539_: bool;
-    var phi_1930_: u32;
-    var phi_2540_: bool;
-    var phi_2541_: bool;
-    var phi_2542_: bool;
+    var phi_1936_: u32;
+    var phi_1939_: bool;
+    var phi_2536_: bool;
     var local_8: bool;
-    var phi_2584_: bool;
-    var phi_2585_: bool;
-    var phi_2616_: u32;
-    var phi_2617_: u32;
-    var phi_2618_: bool;
-    var phi_2619_: bool;
-    var phi_1600_: u32;
-    var phi_2620_: bool;
+    var phi_2578_: bool;
+    var phi_2579_: bool;
+    var phi_2610_: u32;
+    var phi_2611_: u32;
+    var phi_1604_: u32;
+    var phi_1607_: bool;
+    var phi_2612_: bool;
+    var phi_2613_: bool;
+    var local_9: bool;
+    var phi_2617_: bool;
     var phi_2621_: bool;
     var phi_2622_: bool;
     var phi_2623_: bool;
-    var local_9: bool;
-    var phi_2627_: bool;
+    var phi_2624_: bool;
     var phi_2628_: bool;
     var phi_2632_: bool;
+    var phi_2633_: bool;
+    var phi_2634_: bool;
+    var phi_2635_: bool;
     var phi_2636_: bool;
     var phi_2637_: bool;
     var phi_2638_: bool;
-    var phi_2639_: bool;
-    var phi_2643_: bool;
-    var phi_2647_: bool;
-    var phi_2648_: bool;
-    var phi_2649_: bool;
-    var phi_2650_: bool;
-    var phi_994_: u32;
-    var phi_2654_: bool;
+    var phi_996_: u32;
+    var phi_999_: bool;
+    var phi_2642_: bool;
     var local_10: bool;
-    var phi_2696_: bool;
-    var phi_2697_: bool;
-    var phi_2728_: u32;
-    var phi_2729_: u32;
+    var phi_2684_: bool;
+    var phi_2685_: bool;
+    var phi_2716_: u32;
+    var phi_2717_: u32;
     var phi_664_: u32;
-    var phi_2730_: bool;
-    var phi_2731_: bool;
+    var phi_667_: bool;
+    var phi_2718_: bool;
+    var phi_2719_: bool;
     var local_11: bool;
-    var phi_2735_: bool;
-    var phi_2739_: bool;
-    var phi_2740_: bool;
-    var phi_2741_: bool;
-    var phi_2742_: bool;
-    var phi_2746_: bool;
-    var phi_2750_: f32;
+    var phi_2723_: bool;
+    var phi_2727_: bool;
+    var phi_2728_: bool;
+    var phi_2729_: bool;
+    var phi_2733_: bool;
+    var phi_2734_: bool;
+    var phi_2738_: bool;
+    var phi_2742_: f32;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
-    var local_17: bool;
 
     let _e53 = id_1;
     let _e60 = arrayLength((&nodes.member));
@@ -611,7 +607,7 @@ fn function_() {
         if _e188 {
             let _e189 = (_e87 >= _e60);
             if _e189 {
-                phi_2740_ = bool();
+                phi_2727_ = false;
             } else {
                 if (_e87 < _e60) {
                 } else {
@@ -761,1613 +757,1595 @@ fn function_() {
                 }
                 let _e469 = phi_661_;
                 phi_663_ = _e469;
+                phi_666_ = false;
                 loop {
                     let _e471 = phi_663_;
+                    let _e473 = phi_666_;
                     if (_e471 != 4294967295u) {
                         if (_e471 < _e60) {
                         } else {
                             return;
                         }
-                        let _e478 = nodes.member[(0u + _e471)].frame[3u];
-                        let _e503 = (bitcast<f32>((((_e478 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e265);
-                        let _e504 = (bitcast<f32>((((_e478 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e275);
-                        let _e505 = (bitcast<f32>((((_e478 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e285);
-                        let _e508 = nodes.member[(0u + _e471)].frame[0u];
-                        let _e512 = nodes.member[(0u + _e471)].frame[1u];
-                        let _e516 = nodes.member[(0u + _e471)].frame[2u];
-                        let _e521 = ((bitcast<f32>(_e508) - _e107) * _e265);
-                        let _e522 = ((bitcast<f32>(_e512) - _e109) * _e275);
-                        let _e523 = ((bitcast<f32>(_e516) - _e111) * _e285);
-                        let _e531 = nodes.member[(0u + _e471)].x;
+                        let _e480 = nodes.member[(0u + _e471)].frame[3u];
+                        let _e505 = (bitcast<f32>((((_e480 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e265);
+                        let _e506 = (bitcast<f32>((((_e480 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e275);
+                        let _e507 = (bitcast<f32>((((_e480 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e285);
+                        let _e510 = nodes.member[(0u + _e471)].frame[0u];
+                        let _e514 = nodes.member[(0u + _e471)].frame[1u];
+                        let _e518 = nodes.member[(0u + _e471)].frame[2u];
+                        let _e523 = ((bitcast<f32>(_e510) - _e107) * _e265);
+                        let _e524 = ((bitcast<f32>(_e514) - _e109) * _e275);
+                        let _e525 = ((bitcast<f32>(_e518) - _e111) * _e285);
+                        let _e533 = nodes.member[(0u + _e471)].x;
                         if (_e265 < 0f) {
-                            let _e542 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e531.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e548 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e542.unnamed.root, _e531.w), _e542.unnamed_1);
-                            let _e554 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e548.unnamed, lt_bvh_traverse_Tree(_e531.x, _e548.unnamed_1.first_primitive));
-                            phi_744_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e554.unnamed, lt_bvh_traverse_Tree(_e554.unnamed_1.root, _e531.y));
+                            let _e544 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e533.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e550 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e544.unnamed.root, _e533.w), _e544.unnamed_1);
+                            let _e556 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e550.unnamed, lt_bvh_traverse_Tree(_e533.x, _e550.unnamed_1.first_primitive));
+                            phi_746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e556.unnamed, lt_bvh_traverse_Tree(_e556.unnamed_1.root, _e533.y));
                         } else {
-                            let _e570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e531.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e570.unnamed.root, _e531.y), _e570.unnamed_1);
-                            let _e582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e576.unnamed, lt_bvh_traverse_Tree(_e531.z, _e576.unnamed_1.first_primitive));
-                            phi_744_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e582.unnamed, lt_bvh_traverse_Tree(_e582.unnamed_1.root, _e531.w));
+                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e533.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e572.unnamed.root, _e533.y), _e572.unnamed_1);
+                            let _e584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e533.z, _e578.unnamed_1.first_primitive));
+                            phi_746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e584.unnamed, lt_bvh_traverse_Tree(_e584.unnamed_1.root, _e533.w));
                         }
-                        let _e590 = phi_744_;
-                        let _e600 = nodes.member[(0u + _e471)].y;
+                        let _e592 = phi_746_;
+                        let _e602 = nodes.member[(0u + _e471)].y;
                         if (_e275 < 0f) {
-                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e600.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e611.unnamed.root, _e600.w), _e611.unnamed_1);
-                            let _e623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e617.unnamed, lt_bvh_traverse_Tree(_e600.x, _e617.unnamed_1.first_primitive));
-                            phi_771_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e623.unnamed, lt_bvh_traverse_Tree(_e623.unnamed_1.root, _e600.y));
+                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e613.unnamed.root, _e602.w), _e613.unnamed_1);
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_bvh_traverse_Tree(_e602.x, _e619.unnamed_1.first_primitive));
+                            phi_773_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e625.unnamed_1.root, _e602.y));
                         } else {
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e600.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e639.unnamed.root, _e600.y), _e639.unnamed_1);
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_bvh_traverse_Tree(_e600.z, _e645.unnamed_1.first_primitive));
-                            phi_771_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_bvh_traverse_Tree(_e651.unnamed_1.root, _e600.w));
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e602.y), _e641.unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e602.z, _e647.unnamed_1.first_primitive));
+                            phi_773_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e602.w));
                         }
-                        let _e659 = phi_771_;
-                        let _e669 = nodes.member[(0u + _e471)].z;
+                        let _e661 = phi_773_;
+                        let _e671 = nodes.member[(0u + _e471)].z;
                         if (_e285 < 0f) {
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e669.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e680.unnamed.root, _e669.w), _e680.unnamed_1);
-                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_bvh_traverse_Tree(_e669.x, _e686.unnamed_1.first_primitive));
-                            phi_798_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_bvh_traverse_Tree(_e692.unnamed_1.root, _e669.y));
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e682.unnamed.root, _e671.w), _e682.unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_bvh_traverse_Tree(_e671.x, _e688.unnamed_1.first_primitive));
+                            phi_800_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e694.unnamed_1.root, _e671.y));
                         } else {
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e669.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e708.unnamed.root, _e669.y), _e708.unnamed_1);
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e669.z, _e714.unnamed_1.first_primitive));
-                            phi_798_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_bvh_traverse_Tree(_e720.unnamed_1.root, _e669.w));
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e671.y), _e710.unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e671.z, _e716.unnamed_1.first_primitive));
+                            phi_800_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e671.w));
                         }
-                        let _e728 = phi_798_;
-                        phi_804_ = 0u;
-                        phi_807_ = 0u;
+                        let _e730 = phi_800_;
+                        phi_806_ = 0u;
+                        phi_809_ = 0u;
                         loop {
-                            let _e738 = phi_804_;
-                            let _e740 = phi_807_;
-                            local_2 = _e740;
-                            local_3 = _e740;
-                            local_4 = _e740;
-                            let _e741 = (_e738 < 8u);
-                            if _e741 {
-                                let _e743 = (_e738 >> bitcast<u32>(2i));
-                                let _e744 = (_e738 & 3u);
-                                if (_e743 == 0u) {
-                                    phi_821_ = _e590.unnamed.root;
+                            let _e740 = phi_806_;
+                            let _e742 = phi_809_;
+                            local_2 = _e742;
+                            local_3 = _e742;
+                            local_4 = _e742;
+                            let _e743 = (_e740 < 8u);
+                            if _e743 {
+                                let _e745 = (_e740 >> bitcast<u32>(2i));
+                                let _e746 = (_e740 & 3u);
+                                if (_e745 == 0u) {
+                                    phi_823_ = _e592.unnamed.root;
                                 } else {
-                                    phi_821_ = _e590.unnamed.first_primitive;
+                                    phi_823_ = _e592.unnamed.first_primitive;
                                 }
-                                let _e747 = phi_821_;
-                                if (_e743 == 0u) {
-                                    phi_831_ = _e659.unnamed.root;
+                                let _e749 = phi_823_;
+                                if (_e745 == 0u) {
+                                    phi_833_ = _e661.unnamed.root;
                                 } else {
-                                    phi_831_ = _e659.unnamed.first_primitive;
+                                    phi_833_ = _e661.unnamed.first_primitive;
                                 }
-                                let _e756 = phi_831_;
-                                if (_e743 == 0u) {
-                                    phi_841_ = _e728.unnamed.root;
+                                let _e758 = phi_833_;
+                                if (_e745 == 0u) {
+                                    phi_843_ = _e730.unnamed.root;
                                 } else {
-                                    phi_841_ = _e728.unnamed.first_primitive;
+                                    phi_843_ = _e730.unnamed.first_primitive;
                                 }
-                                let _e765 = phi_841_;
-                                let _e778 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e747 >> bitcast<u32>(((_e744 * 8u) & 31u))) & 255u)) * _e503) + (_e521 - _e313)), ((f32(((_e756 >> bitcast<u32>(((_e744 * 8u) & 31u))) & 255u)) * _e504) + (_e522 - _e314)));
-                                let _e779 = core_intrinsics_maximum_number_nsz_f32_(_e778, ((f32(((_e765 >> bitcast<u32>(((_e744 * 8u) & 31u))) & 255u)) * _e505) + (_e523 - _e315)));
-                                if (_e743 == 0u) {
-                                    phi_859_ = _e590.unnamed_1.root;
+                                let _e767 = phi_843_;
+                                let _e780 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e749 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e505) + (_e523 - _e313)), ((f32(((_e758 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e506) + (_e524 - _e314)));
+                                let _e781 = core_intrinsics_maximum_number_nsz_f32_(_e780, ((f32(((_e767 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e507) + (_e525 - _e315)));
+                                if (_e745 == 0u) {
+                                    phi_861_ = _e592.unnamed_1.root;
                                 } else {
-                                    phi_859_ = _e590.unnamed_1.first_primitive;
+                                    phi_861_ = _e592.unnamed_1.first_primitive;
                                 }
-                                let _e782 = phi_859_;
-                                if (_e743 == 0u) {
-                                    phi_869_ = _e659.unnamed_1.root;
+                                let _e784 = phi_861_;
+                                if (_e745 == 0u) {
+                                    phi_871_ = _e661.unnamed_1.root;
                                 } else {
-                                    phi_869_ = _e659.unnamed_1.first_primitive;
+                                    phi_871_ = _e661.unnamed_1.first_primitive;
                                 }
-                                let _e791 = phi_869_;
-                                if (_e743 == 0u) {
-                                    phi_879_ = _e728.unnamed_1.root;
+                                let _e793 = phi_871_;
+                                if (_e745 == 0u) {
+                                    phi_881_ = _e730.unnamed_1.root;
                                 } else {
-                                    phi_879_ = _e728.unnamed_1.first_primitive;
+                                    phi_881_ = _e730.unnamed_1.first_primitive;
                                 }
-                                let _e800 = phi_879_;
-                                let _e813 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e782 >> bitcast<u32>(((_e744 * 8u) & 31u))) & 255u)) * _e503) + (_e521 + _e313)), ((f32(((_e791 >> bitcast<u32>(((_e744 * 8u) & 31u))) & 255u)) * _e504) + (_e522 + _e314)));
-                                let _e814 = core_intrinsics_minimum_number_nsz_f32_(_e813, ((f32(((_e800 >> bitcast<u32>(((_e744 * 8u) & 31u))) & 255u)) * _e505) + (_e523 + _e315)));
-                                if (_e779 <= _e814) {
-                                    if (_e779 <= _e117) {
-                                        if (_e814 >= 0f) {
-                                            if (_e743 == 0u) {
-                                                let _e821 = nodes.member[(0u + _e471)].links[2u];
-                                                phi_915_ = _e821;
+                                let _e802 = phi_881_;
+                                let _e815 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e784 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e505) + (_e523 + _e313)), ((f32(((_e793 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e506) + (_e524 + _e314)));
+                                let _e816 = core_intrinsics_minimum_number_nsz_f32_(_e815, ((f32(((_e802 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e507) + (_e525 + _e315)));
+                                if (_e781 <= _e816) {
+                                    if (_e781 <= _e117) {
+                                        if (_e816 >= 0f) {
+                                            if (_e745 == 0u) {
+                                                let _e823 = nodes.member[(0u + _e471)].links[2u];
+                                                phi_917_ = _e823;
                                             } else {
-                                                let _e824 = nodes.member[(0u + _e471)].links[3u];
-                                                phi_915_ = _e824;
+                                                let _e826 = nodes.member[(0u + _e471)].links[3u];
+                                                phi_917_ = _e826;
                                             }
-                                            let _e826 = phi_915_;
-                                            let _e831 = ((_e826 >> bitcast<u32>(((_e744 * 8u) & 31u))) & 255u);
-                                            let _e832 = (_e831 & 31u);
-                                            if (_e832 >= 24u) {
-                                                phi_928_ = (24u + ((_e832 - 24u) ^ _e333));
+                                            let _e828 = phi_917_;
+                                            let _e833 = ((_e828 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u);
+                                            let _e834 = (_e833 & 31u);
+                                            if (_e834 >= 24u) {
+                                                phi_930_ = (24u + ((_e834 - 24u) ^ _e333));
                                             } else {
-                                                phi_928_ = _e832;
+                                                phi_930_ = _e834;
                                             }
-                                            let _e838 = phi_928_;
-                                            phi_933_ = (_e740 | ((_e831 >> bitcast<u32>(5i)) << bitcast<u32>((_e838 & 31u))));
+                                            let _e840 = phi_930_;
+                                            phi_935_ = (_e742 | ((_e833 >> bitcast<u32>(5i)) << bitcast<u32>((_e840 & 31u))));
                                         } else {
-                                            phi_933_ = _e740;
+                                            phi_935_ = _e742;
                                         }
-                                        let _e846 = phi_933_;
-                                        phi_934_ = _e846;
+                                        let _e848 = phi_935_;
+                                        phi_936_ = _e848;
                                     } else {
-                                        phi_934_ = _e740;
+                                        phi_936_ = _e742;
                                     }
-                                    let _e848 = phi_934_;
-                                    phi_935_ = _e848;
+                                    let _e850 = phi_936_;
+                                    phi_937_ = _e850;
                                 } else {
-                                    phi_935_ = _e740;
+                                    phi_937_ = _e742;
                                 }
-                                let _e850 = phi_935_;
-                                phi_805_ = (_e738 + 1u);
-                                phi_808_ = _e850;
+                                let _e852 = phi_937_;
+                                phi_807_ = (_e740 + 1u);
+                                phi_810_ = _e852;
                             } else {
-                                phi_805_ = u32();
-                                phi_808_ = u32();
+                                phi_807_ = u32();
+                                phi_810_ = u32();
                             }
-                            let _e853 = phi_805_;
-                            let _e855 = phi_808_;
+                            let _e855 = phi_807_;
+                            let _e857 = phi_810_;
                             continue;
                             continuing {
-                                phi_804_ = _e853;
-                                phi_807_ = _e855;
-                                break if !(_e741);
+                                phi_806_ = _e855;
+                                phi_809_ = _e857;
+                                break if !(_e743);
                             }
                         }
-                        let _e859 = nodes.member[(0u + _e471)].links[0u];
-                        let _e863 = nodes.member[(0u + _e471)].frame[3u];
-                        let _e867 = local_2;
-                        if ((_e867 & 4278190080u) == 0u) {
+                        let _e861 = nodes.member[(0u + _e471)].links[0u];
+                        let _e865 = nodes.member[(0u + _e471)].frame[3u];
+                        let _e869 = local_2;
+                        if ((_e869 & 4278190080u) == 0u) {
                         } else {
-                            let _e871 = local_1.group_mask;
-                            if ((_e871 & 4278190080u) == 0u) {
+                            let _e873 = local_1.group_mask;
+                            if ((_e873 & 4278190080u) == 0u) {
                             } else {
-                                let _e875 = local_1.len;
-                                if (_e875 < 32u) {
-                                    let _e878 = local_1.group;
-                                    let _e880 = local_1.len;
-                                    if (_e880 < 32u) {
+                                let _e877 = local_1.len;
+                                if (_e877 < 32u) {
+                                    let _e880 = local_1.group;
+                                    let _e882 = local_1.len;
+                                    if (_e882 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e880)] = _e878;
-                                    let _e886 = local_1.group_mask;
-                                    let _e888 = local_1.len;
-                                    if (_e888 < 32u) {
+                                    local_1.first[(0u + _e882)] = _e880;
+                                    let _e888 = local_1.group_mask;
+                                    let _e890 = local_1.len;
+                                    if (_e890 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e888)] = _e886;
-                                    let _e895 = local_1.len;
-                                    local_1.len = (_e895 + 1u);
+                                    local_1.mask[(0u + _e890)] = _e888;
+                                    let _e897 = local_1.len;
+                                    local_1.len = (_e897 + 1u);
                                 }
                             }
-                            local_1.group = (_e87 + _e859);
-                            let _e899 = local_3;
-                            local_1.group_mask = ((_e899 & 4278190080u) | (_e863 >> bitcast<u32>(24i)));
+                            local_1.group = (_e87 + _e861);
+                            let _e901 = local_3;
+                            local_1.group_mask = ((_e901 & 4278190080u) | (_e865 >> bitcast<u32>(24i)));
                         }
-                        let _e904 = local_4;
-                        phi_993_ = (_e904 & 16777215u);
+                        let _e906 = local_4;
+                        phi_995_ = (_e906 & 16777215u);
+                        phi_998_ = _e473;
                         loop {
-                            let _e907 = phi_993_;
-                            let _e908 = (_e907 == 0u);
-                            local_10 = _e908;
-                            local_17 = _e908;
-                            if _e908 {
-                                phi_994_ = u32();
-                                phi_2654_ = false;
+                            let _e909 = phi_995_;
+                            let _e911 = phi_998_;
+                            local_15 = _e911;
+                            let _e912 = (_e909 == 0u);
+                            local_10 = _e912;
+                            local_16 = _e912;
+                            if _e912 {
+                                phi_996_ = u32();
+                                phi_999_ = bool();
+                                phi_2642_ = false;
                             } else {
-                                let _e911 = nodes.member[(0u + _e471)].links[1u];
-                                let _e915 = (_e911 + select(firstTrailingBit(_e907), 32u, (_e907 == 0u)));
-                                if (_e915 < arrayLength((&instances.member))) {
+                                let _e915 = nodes.member[(0u + _e471)].links[1u];
+                                let _e919 = (_e915 + select(firstTrailingBit(_e909), 32u, (_e909 == 0u)));
+                                if (_e919 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e922 = instances.member[(0u + _e915)].low_world;
-                                let _e924 = instances.member[(0u + _e915)].high_world;
-                                let _e931 = ((_e922.x - _e107) * _e265);
-                                let _e932 = ((_e922.y - _e109) * _e275);
-                                let _e933 = ((_e922.z - _e111) * _e285);
-                                let _e940 = ((_e924.x - _e107) * _e265);
-                                let _e941 = ((_e924.y - _e109) * _e275);
-                                let _e942 = ((_e924.z - _e111) * _e285);
-                                if (_e931 < _e940) {
-                                    phi_1043_ = _e931;
+                                let _e926 = instances.member[(0u + _e919)].low_world;
+                                let _e928 = instances.member[(0u + _e919)].high_world;
+                                let _e935 = ((_e926.x - _e107) * _e265);
+                                let _e936 = ((_e926.y - _e109) * _e275);
+                                let _e937 = ((_e926.z - _e111) * _e285);
+                                let _e944 = ((_e928.x - _e107) * _e265);
+                                let _e945 = ((_e928.y - _e109) * _e275);
+                                let _e946 = ((_e928.z - _e111) * _e285);
+                                if (_e935 < _e944) {
+                                    phi_1047_ = _e935;
                                 } else {
-                                    phi_1043_ = _e940;
+                                    phi_1047_ = _e944;
                                 }
-                                let _e945 = phi_1043_;
-                                if (_e932 < _e941) {
-                                    phi_1048_ = _e932;
+                                let _e949 = phi_1047_;
+                                if (_e936 < _e945) {
+                                    phi_1052_ = _e936;
                                 } else {
-                                    phi_1048_ = _e941;
+                                    phi_1052_ = _e945;
                                 }
-                                let _e948 = phi_1048_;
-                                if (_e933 < _e942) {
-                                    phi_1053_ = _e933;
+                                let _e952 = phi_1052_;
+                                if (_e937 < _e946) {
+                                    phi_1057_ = _e937;
                                 } else {
-                                    phi_1053_ = _e942;
+                                    phi_1057_ = _e946;
                                 }
-                                let _e951 = phi_1053_;
-                                if (_e931 > _e940) {
-                                    phi_1061_ = _e931;
+                                let _e955 = phi_1057_;
+                                if (_e935 > _e944) {
+                                    phi_1065_ = _e935;
                                 } else {
-                                    phi_1061_ = _e940;
+                                    phi_1065_ = _e944;
                                 }
-                                let _e957 = phi_1061_;
-                                if (_e932 > _e941) {
-                                    phi_1066_ = _e932;
+                                let _e961 = phi_1065_;
+                                if (_e936 > _e945) {
+                                    phi_1070_ = _e936;
                                 } else {
-                                    phi_1066_ = _e941;
+                                    phi_1070_ = _e945;
                                 }
-                                let _e960 = phi_1066_;
-                                if (_e933 > _e942) {
-                                    phi_1071_ = _e933;
+                                let _e964 = phi_1070_;
+                                if (_e937 > _e946) {
+                                    phi_1075_ = _e937;
                                 } else {
-                                    phi_1071_ = _e942;
+                                    phi_1075_ = _e946;
                                 }
-                                let _e963 = phi_1071_;
-                                let _e967 = core_intrinsics_maximum_number_nsz_f32_((_e945 - _e320), (_e948 - _e321));
-                                let _e968 = core_intrinsics_maximum_number_nsz_f32_(_e967, (_e951 - _e322));
-                                let _e969 = core_intrinsics_minimum_number_nsz_f32_((_e957 + _e320), (_e960 + _e321));
-                                let _e970 = core_intrinsics_minimum_number_nsz_f32_(_e969, (_e963 + _e322));
-                                if (_e968 <= _e970) {
-                                    if (_e968 <= _e117) {
-                                        if (_e970 >= 0f) {
-                                            let _e976 = instances.member[(0u + _e915)].world_to_object[0u];
-                                            let _e987 = ((((_e976.x * _e107) + (_e976.y * _e109)) + (_e976.z * _e111)) + (_e976.w * 1f));
-                                            let _e989 = instances.member[(0u + _e915)].world_to_object[1u];
-                                            let _e1000 = ((((_e989.x * _e107) + (_e989.y * _e109)) + (_e989.z * _e111)) + (_e989.w * 1f));
-                                            let _e1002 = instances.member[(0u + _e915)].world_to_object[2u];
-                                            let _e1013 = ((((_e1002.x * _e107) + (_e1002.y * _e109)) + (_e1002.z * _e111)) + (_e1002.w * 1f));
-                                            let _e1016 = instances.member[(0u + _e915)].world_to_object[0u];
-                                            let _e1027 = ((((_e1016.x * _e125) + (_e1016.y * _e126)) + (_e1016.z * _e127)) + (_e1016.w * 0f));
-                                            let _e1029 = instances.member[(0u + _e915)].world_to_object[1u];
-                                            let _e1040 = ((((_e1029.x * _e125) + (_e1029.y * _e126)) + (_e1029.z * _e127)) + (_e1029.w * 0f));
-                                            let _e1042 = instances.member[(0u + _e915)].world_to_object[2u];
-                                            let _e1053 = ((((_e1042.x * _e125) + (_e1042.y * _e126)) + (_e1042.z * _e127)) + (_e1042.w * 0f));
-                                            let _e1056 = instances.member[(0u + _e915)].root;
-                                            let _e1058 = instances.member[(0u + _e915)].first_triangle;
-                                            let _e1062 = abs(_e1027);
-                                            let _e1063 = abs(_e1040);
-                                            let _e1064 = abs(_e1053);
-                                            if (abs(_e987) < 1000000000000000f) {
-                                                if (abs(_e1000) < 1000000000000000f) {
-                                                    if (abs(_e1013) < 1000000000000000f) {
-                                                        if (_e1062 < 1000000000000000f) {
-                                                            if (_e1063 < 1000000000000000f) {
-                                                                if (_e1064 < 1000000000000000f) {
-                                                                    if (_e1062 > 0f) {
-                                                                        phi_1216_ = bool();
-                                                                        phi_1217_ = true;
-                                                                    } else {
-                                                                        let _e1072 = (_e1063 > 0f);
-                                                                        if _e1072 {
-                                                                            phi_1215_ = bool();
-                                                                        } else {
-                                                                            phi_1215_ = (_e1064 > 0f);
-                                                                        }
-                                                                        let _e1075 = phi_1215_;
-                                                                        phi_1216_ = _e1075;
-                                                                        phi_1217_ = _e1072;
-                                                                    }
-                                                                    let _e1077 = phi_1216_;
-                                                                    let _e1079 = phi_1217_;
-                                                                    if _e1079 {
+                                let _e967 = phi_1075_;
+                                let _e971 = core_intrinsics_maximum_number_nsz_f32_((_e949 - _e320), (_e952 - _e321));
+                                let _e972 = core_intrinsics_maximum_number_nsz_f32_(_e971, (_e955 - _e322));
+                                let _e973 = core_intrinsics_minimum_number_nsz_f32_((_e961 + _e320), (_e964 + _e321));
+                                let _e974 = core_intrinsics_minimum_number_nsz_f32_(_e973, (_e967 + _e322));
+                                if (_e972 <= _e974) {
+                                    if (_e972 <= _e117) {
+                                        if (_e974 >= 0f) {
+                                            let _e980 = instances.member[(0u + _e919)].world_to_object[0u];
+                                            let _e991 = ((((_e980.x * _e107) + (_e980.y * _e109)) + (_e980.z * _e111)) + (_e980.w * 1f));
+                                            let _e993 = instances.member[(0u + _e919)].world_to_object[1u];
+                                            let _e1004 = ((((_e993.x * _e107) + (_e993.y * _e109)) + (_e993.z * _e111)) + (_e993.w * 1f));
+                                            let _e1006 = instances.member[(0u + _e919)].world_to_object[2u];
+                                            let _e1017 = ((((_e1006.x * _e107) + (_e1006.y * _e109)) + (_e1006.z * _e111)) + (_e1006.w * 1f));
+                                            let _e1020 = instances.member[(0u + _e919)].world_to_object[0u];
+                                            let _e1031 = ((((_e1020.x * _e125) + (_e1020.y * _e126)) + (_e1020.z * _e127)) + (_e1020.w * 0f));
+                                            let _e1033 = instances.member[(0u + _e919)].world_to_object[1u];
+                                            let _e1044 = ((((_e1033.x * _e125) + (_e1033.y * _e126)) + (_e1033.z * _e127)) + (_e1033.w * 0f));
+                                            let _e1046 = instances.member[(0u + _e919)].world_to_object[2u];
+                                            let _e1057 = ((((_e1046.x * _e125) + (_e1046.y * _e126)) + (_e1046.z * _e127)) + (_e1046.w * 0f));
+                                            let _e1060 = instances.member[(0u + _e919)].root;
+                                            let _e1062 = instances.member[(0u + _e919)].first_triangle;
+                                            let _e1066 = abs(_e1031);
+                                            let _e1067 = abs(_e1044);
+                                            let _e1068 = abs(_e1057);
+                                            if (abs(_e991) < 1000000000000000f) {
+                                                if (abs(_e1004) < 1000000000000000f) {
+                                                    if (abs(_e1017) < 1000000000000000f) {
+                                                        if (_e1066 < 1000000000000000f) {
+                                                            if (_e1067 < 1000000000000000f) {
+                                                                if (_e1068 < 1000000000000000f) {
+                                                                    if (_e1066 > 0f) {
+                                                                        phi_1220_ = bool();
                                                                         phi_1221_ = true;
                                                                     } else {
-                                                                        phi_1221_ = _e1077;
+                                                                        let _e1076 = (_e1067 > 0f);
+                                                                        if _e1076 {
+                                                                            phi_1219_ = bool();
+                                                                        } else {
+                                                                            phi_1219_ = (_e1068 > 0f);
+                                                                        }
+                                                                        let _e1079 = phi_1219_;
+                                                                        phi_1220_ = _e1079;
+                                                                        phi_1221_ = _e1076;
                                                                     }
-                                                                    let _e1081 = phi_1221_;
-                                                                    phi_1222_ = _e1081;
-                                                                    phi_1223_ = false;
+                                                                    let _e1081 = phi_1220_;
+                                                                    let _e1083 = phi_1221_;
+                                                                    if _e1083 {
+                                                                        phi_1225_ = true;
+                                                                    } else {
+                                                                        phi_1225_ = _e1081;
+                                                                    }
+                                                                    let _e1085 = phi_1225_;
+                                                                    phi_1226_ = _e1085;
+                                                                    phi_1227_ = false;
                                                                 } else {
-                                                                    phi_1222_ = bool();
-                                                                    phi_1223_ = true;
+                                                                    phi_1226_ = bool();
+                                                                    phi_1227_ = true;
                                                                 }
-                                                                let _e1083 = phi_1222_;
-                                                                let _e1085 = phi_1223_;
-                                                                phi_1224_ = _e1083;
-                                                                phi_1225_ = false;
-                                                                phi_1226_ = _e1085;
+                                                                let _e1087 = phi_1226_;
+                                                                let _e1089 = phi_1227_;
+                                                                phi_1228_ = _e1087;
+                                                                phi_1229_ = false;
+                                                                phi_1230_ = _e1089;
                                                             } else {
-                                                                phi_1224_ = bool();
-                                                                phi_1225_ = true;
-                                                                phi_1226_ = false;
+                                                                phi_1228_ = bool();
+                                                                phi_1229_ = true;
+                                                                phi_1230_ = false;
                                                             }
-                                                            let _e1087 = phi_1224_;
-                                                            let _e1089 = phi_1225_;
-                                                            let _e1091 = phi_1226_;
-                                                            phi_1227_ = _e1087;
-                                                            phi_1228_ = _e1089;
-                                                            phi_1229_ = _e1091;
+                                                            let _e1091 = phi_1228_;
+                                                            let _e1093 = phi_1229_;
+                                                            let _e1095 = phi_1230_;
+                                                            phi_1231_ = _e1091;
+                                                            phi_1232_ = _e1093;
+                                                            phi_1233_ = _e1095;
                                                         } else {
-                                                            phi_1227_ = bool();
-                                                            phi_1228_ = true;
-                                                            phi_1229_ = false;
+                                                            phi_1231_ = bool();
+                                                            phi_1232_ = true;
+                                                            phi_1233_ = false;
                                                         }
-                                                        let _e1093 = phi_1227_;
-                                                        let _e1095 = phi_1228_;
-                                                        let _e1097 = phi_1229_;
-                                                        phi_1230_ = _e1093;
-                                                        phi_1231_ = _e1095;
-                                                        phi_1232_ = _e1097;
+                                                        let _e1097 = phi_1231_;
+                                                        let _e1099 = phi_1232_;
+                                                        let _e1101 = phi_1233_;
+                                                        phi_1234_ = _e1097;
+                                                        phi_1235_ = _e1099;
+                                                        phi_1236_ = _e1101;
                                                     } else {
-                                                        phi_1230_ = bool();
-                                                        phi_1231_ = true;
-                                                        phi_1232_ = false;
+                                                        phi_1234_ = bool();
+                                                        phi_1235_ = true;
+                                                        phi_1236_ = false;
                                                     }
-                                                    let _e1099 = phi_1230_;
-                                                    let _e1101 = phi_1231_;
-                                                    let _e1103 = phi_1232_;
-                                                    phi_1233_ = _e1099;
-                                                    phi_1234_ = _e1101;
-                                                    phi_1235_ = _e1103;
+                                                    let _e1103 = phi_1234_;
+                                                    let _e1105 = phi_1235_;
+                                                    let _e1107 = phi_1236_;
+                                                    phi_1237_ = _e1103;
+                                                    phi_1238_ = _e1105;
+                                                    phi_1239_ = _e1107;
                                                 } else {
-                                                    phi_1233_ = bool();
-                                                    phi_1234_ = true;
-                                                    phi_1235_ = false;
+                                                    phi_1237_ = bool();
+                                                    phi_1238_ = true;
+                                                    phi_1239_ = false;
                                                 }
-                                                let _e1105 = phi_1233_;
-                                                let _e1107 = phi_1234_;
-                                                let _e1109 = phi_1235_;
-                                                phi_1236_ = _e1105;
-                                                phi_1237_ = _e1107;
-                                                phi_1238_ = _e1109;
+                                                let _e1109 = phi_1237_;
+                                                let _e1111 = phi_1238_;
+                                                let _e1113 = phi_1239_;
+                                                phi_1240_ = _e1109;
+                                                phi_1241_ = _e1111;
+                                                phi_1242_ = _e1113;
                                             } else {
-                                                phi_1236_ = bool();
-                                                phi_1237_ = true;
-                                                phi_1238_ = false;
+                                                phi_1240_ = bool();
+                                                phi_1241_ = true;
+                                                phi_1242_ = false;
                                             }
-                                            let _e1111 = phi_1236_;
-                                            let _e1113 = phi_1237_;
-                                            let _e1115 = phi_1238_;
-                                            if _e1113 {
-                                                phi_1242_ = true;
-                                            } else {
-                                                phi_1242_ = _e1115;
-                                            }
-                                            let _e1117 = phi_1242_;
+                                            let _e1115 = phi_1240_;
+                                            let _e1117 = phi_1241_;
+                                            let _e1119 = phi_1242_;
                                             if _e1117 {
-                                                phi_1246_ = false;
+                                                phi_1246_ = true;
                                             } else {
-                                                phi_1246_ = _e1111;
+                                                phi_1246_ = _e1119;
                                             }
-                                            let _e1119 = phi_1246_;
-                                            if _e1119 {
-                                                let _e1120 = (_e1056 >= _e60);
-                                                if _e1120 {
-                                                    phi_2637_ = bool();
+                                            let _e1121 = phi_1246_;
+                                            if _e1121 {
+                                                phi_1250_ = false;
+                                            } else {
+                                                phi_1250_ = _e1115;
+                                            }
+                                            let _e1123 = phi_1250_;
+                                            if _e1123 {
+                                                let _e1124 = (_e1060 >= _e60);
+                                                if _e1124 {
+                                                    phi_2622_ = bool();
                                                 } else {
-                                                    if (_e1056 < _e60) {
+                                                    if (_e1060 < _e60) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1126 = nodes.member[(0u + _e1056)].frame[0u];
-                                                    let _e1130 = nodes.member[(0u + _e1056)].frame[1u];
-                                                    let _e1134 = nodes.member[(0u + _e1056)].frame[2u];
-                                                    let _e1138 = nodes.member[(0u + _e1056)].frame[0u];
-                                                    let _e1142 = nodes.member[(0u + _e1056)].frame[1u];
-                                                    let _e1146 = nodes.member[(0u + _e1056)].frame[2u];
-                                                    let _e1150 = nodes.member[(0u + _e1056)].frame[3u];
-                                                    let _e1184 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1027), abs(_e1040));
-                                                    let _e1185 = core_intrinsics_maximum_number_nsz_f32_(_e1184, abs(_e1053));
-                                                    let _e1186 = (_e1185 * 0.0000000000009094947f);
-                                                    if (abs(_e1027) < _e1186) {
-                                                        phi_1316_ = _e1186;
+                                                    let _e1130 = nodes.member[(0u + _e1060)].frame[0u];
+                                                    let _e1134 = nodes.member[(0u + _e1060)].frame[1u];
+                                                    let _e1138 = nodes.member[(0u + _e1060)].frame[2u];
+                                                    let _e1142 = nodes.member[(0u + _e1060)].frame[0u];
+                                                    let _e1146 = nodes.member[(0u + _e1060)].frame[1u];
+                                                    let _e1150 = nodes.member[(0u + _e1060)].frame[2u];
+                                                    let _e1154 = nodes.member[(0u + _e1060)].frame[3u];
+                                                    let _e1188 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1031), abs(_e1044));
+                                                    let _e1189 = core_intrinsics_maximum_number_nsz_f32_(_e1188, abs(_e1057));
+                                                    let _e1190 = (_e1189 * 0.0000000000009094947f);
+                                                    if (abs(_e1031) < _e1190) {
+                                                        phi_1320_ = _e1190;
                                                     } else {
-                                                        phi_1316_ = abs(_e1027);
+                                                        phi_1320_ = abs(_e1031);
                                                     }
-                                                    let _e1191 = phi_1316_;
-                                                    if (_e1027 < 0f) {
-                                                        phi_1323_ = (-1f / _e1191);
+                                                    let _e1195 = phi_1320_;
+                                                    if (_e1031 < 0f) {
+                                                        phi_1327_ = (-1f / _e1195);
                                                     } else {
-                                                        phi_1323_ = (1f / _e1191);
+                                                        phi_1327_ = (1f / _e1195);
                                                     }
-                                                    let _e1196 = phi_1323_;
-                                                    if (abs(_e1040) < _e1186) {
-                                                        phi_1330_ = _e1186;
+                                                    let _e1200 = phi_1327_;
+                                                    if (abs(_e1044) < _e1190) {
+                                                        phi_1334_ = _e1190;
                                                     } else {
-                                                        phi_1330_ = abs(_e1040);
+                                                        phi_1334_ = abs(_e1044);
                                                     }
-                                                    let _e1201 = phi_1330_;
-                                                    if (_e1040 < 0f) {
-                                                        phi_1337_ = (-1f / _e1201);
+                                                    let _e1205 = phi_1334_;
+                                                    if (_e1044 < 0f) {
+                                                        phi_1341_ = (-1f / _e1205);
                                                     } else {
-                                                        phi_1337_ = (1f / _e1201);
+                                                        phi_1341_ = (1f / _e1205);
                                                     }
-                                                    let _e1206 = phi_1337_;
-                                                    if (abs(_e1053) < _e1186) {
-                                                        phi_1344_ = _e1186;
+                                                    let _e1210 = phi_1341_;
+                                                    if (abs(_e1057) < _e1190) {
+                                                        phi_1348_ = _e1190;
                                                     } else {
-                                                        phi_1344_ = abs(_e1053);
+                                                        phi_1348_ = abs(_e1057);
                                                     }
-                                                    let _e1211 = phi_1344_;
-                                                    if (_e1053 < 0f) {
-                                                        phi_1351_ = (-1f / _e1211);
+                                                    let _e1215 = phi_1348_;
+                                                    if (_e1057 < 0f) {
+                                                        phi_1355_ = (-1f / _e1215);
                                                     } else {
-                                                        phi_1351_ = (1f / _e1211);
+                                                        phi_1355_ = (1f / _e1215);
                                                     }
-                                                    let _e1216 = phi_1351_;
-                                                    let _e1220 = abs((bitcast<f32>(_e1126) - _e987));
-                                                    let _e1221 = abs((bitcast<f32>(_e1130) - _e1000));
-                                                    let _e1222 = abs((bitcast<f32>(_e1134) - _e1013));
-                                                    let _e1226 = abs(((bitcast<f32>(_e1138) + (bitcast<f32>((((_e1150 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e987));
-                                                    let _e1227 = abs(((bitcast<f32>(_e1142) + (bitcast<f32>((((_e1150 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1000));
-                                                    let _e1228 = abs(((bitcast<f32>(_e1146) + (bitcast<f32>((((_e1150 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1013));
-                                                    if (_e1220 > _e1226) {
-                                                        phi_1368_ = _e1220;
+                                                    let _e1220 = phi_1355_;
+                                                    let _e1224 = abs((bitcast<f32>(_e1130) - _e991));
+                                                    let _e1225 = abs((bitcast<f32>(_e1134) - _e1004));
+                                                    let _e1226 = abs((bitcast<f32>(_e1138) - _e1017));
+                                                    let _e1230 = abs(((bitcast<f32>(_e1142) + (bitcast<f32>((((_e1154 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e991));
+                                                    let _e1231 = abs(((bitcast<f32>(_e1146) + (bitcast<f32>((((_e1154 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1004));
+                                                    let _e1232 = abs(((bitcast<f32>(_e1150) + (bitcast<f32>((((_e1154 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1017));
+                                                    if (_e1224 > _e1230) {
+                                                        phi_1372_ = _e1224;
                                                     } else {
-                                                        phi_1368_ = _e1226;
+                                                        phi_1372_ = _e1230;
                                                     }
-                                                    let _e1231 = phi_1368_;
-                                                    if (_e1221 > _e1227) {
-                                                        phi_1373_ = _e1221;
+                                                    let _e1235 = phi_1372_;
+                                                    if (_e1225 > _e1231) {
+                                                        phi_1377_ = _e1225;
                                                     } else {
-                                                        phi_1373_ = _e1227;
+                                                        phi_1377_ = _e1231;
                                                     }
-                                                    let _e1234 = phi_1373_;
-                                                    if (_e1222 > _e1228) {
-                                                        phi_1378_ = _e1222;
+                                                    let _e1238 = phi_1377_;
+                                                    if (_e1226 > _e1232) {
+                                                        phi_1382_ = _e1226;
                                                     } else {
-                                                        phi_1378_ = _e1228;
+                                                        phi_1382_ = _e1232;
                                                     }
-                                                    let _e1237 = phi_1378_;
-                                                    let _e1238 = core_intrinsics_maximum_number_nsz_f32_(_e1231, _e1234);
-                                                    let _e1239 = core_intrinsics_maximum_number_nsz_f32_(_e1238, _e1237);
-                                                    let _e1243 = (_e1239 * 0.0000019073486f);
-                                                    let _e1244 = (abs(_e1196) * _e1243);
-                                                    let _e1245 = (abs(_e1206) * _e1243);
-                                                    let _e1246 = (abs(_e1216) * _e1243);
-                                                    let _e1250 = (_e1239 * 0.0000009536743f);
-                                                    let _e1251 = (abs(_e1196) * _e1250);
-                                                    let _e1252 = (abs(_e1206) * _e1250);
-                                                    let _e1253 = (abs(_e1216) * _e1250);
-                                                    let _e1254 = abs(_e1027);
-                                                    let _e1255 = abs(_e1040);
-                                                    let _e1256 = abs(_e1053);
-                                                    if (_e1254 >= _e1255) {
-                                                        if (_e1254 >= _e1256) {
-                                                            phi_1406_ = false;
+                                                    let _e1241 = phi_1382_;
+                                                    let _e1242 = core_intrinsics_maximum_number_nsz_f32_(_e1235, _e1238);
+                                                    let _e1243 = core_intrinsics_maximum_number_nsz_f32_(_e1242, _e1241);
+                                                    let _e1247 = (_e1243 * 0.0000019073486f);
+                                                    let _e1248 = (abs(_e1200) * _e1247);
+                                                    let _e1249 = (abs(_e1210) * _e1247);
+                                                    let _e1250 = (abs(_e1220) * _e1247);
+                                                    let _e1254 = (_e1243 * 0.0000009536743f);
+                                                    let _e1255 = (abs(_e1200) * _e1254);
+                                                    let _e1256 = (abs(_e1210) * _e1254);
+                                                    let _e1257 = (abs(_e1220) * _e1254);
+                                                    let _e1258 = abs(_e1031);
+                                                    let _e1259 = abs(_e1044);
+                                                    let _e1260 = abs(_e1057);
+                                                    if (_e1258 >= _e1259) {
+                                                        if (_e1258 >= _e1260) {
+                                                            phi_1410_ = false;
                                                         } else {
-                                                            phi_1406_ = true;
+                                                            phi_1410_ = true;
                                                         }
-                                                        let _e1260 = phi_1406_;
-                                                        phi_1407_ = _e1260;
+                                                        let _e1264 = phi_1410_;
+                                                        phi_1411_ = _e1264;
                                                     } else {
-                                                        phi_1407_ = true;
+                                                        phi_1411_ = true;
                                                     }
-                                                    let _e1262 = phi_1407_;
-                                                    if _e1262 {
-                                                        if (_e1255 >= _e1256) {
-                                                            phi_1415_ = 1u;
+                                                    let _e1266 = phi_1411_;
+                                                    if _e1266 {
+                                                        if (_e1259 >= _e1260) {
+                                                            phi_1419_ = 1u;
                                                         } else {
-                                                            phi_1415_ = 2u;
+                                                            phi_1419_ = 2u;
                                                         }
-                                                        let _e1265 = phi_1415_;
-                                                        phi_1416_ = _e1265;
+                                                        let _e1269 = phi_1419_;
+                                                        phi_1420_ = _e1269;
                                                     } else {
-                                                        phi_1416_ = 0u;
+                                                        phi_1420_ = 0u;
                                                     }
-                                                    let _e1267 = phi_1416_;
-                                                    if (_e1267 == 0u) {
-                                                        phi_1428_ = vec3<f32>(_e1040, _e1053, _e1027);
+                                                    let _e1271 = phi_1420_;
+                                                    if (_e1271 == 0u) {
+                                                        phi_1432_ = vec3<f32>(_e1044, _e1057, _e1031);
                                                     } else {
-                                                        if (_e1267 == 1u) {
-                                                            phi_1427_ = vec3<f32>(_e1053, _e1027, _e1040);
+                                                        if (_e1271 == 1u) {
+                                                            phi_1431_ = vec3<f32>(_e1057, _e1031, _e1044);
                                                         } else {
-                                                            phi_1427_ = vec3<f32>(_e1027, _e1040, _e1053);
+                                                            phi_1431_ = vec3<f32>(_e1031, _e1044, _e1057);
                                                         }
-                                                        let _e1273 = phi_1427_;
-                                                        phi_1428_ = _e1273;
+                                                        let _e1277 = phi_1431_;
+                                                        phi_1432_ = _e1277;
                                                     }
-                                                    let _e1275 = phi_1428_;
-                                                    let _e1278 = (_e1275.x / _e1275.z);
-                                                    let _e1281 = (_e1275.y / _e1275.z);
-                                                    if (_e1196 < 0f) {
-                                                        phi_1441_ = 0u;
+                                                    let _e1279 = phi_1432_;
+                                                    let _e1282 = (_e1279.x / _e1279.z);
+                                                    let _e1285 = (_e1279.y / _e1279.z);
+                                                    if (_e1200 < 0f) {
+                                                        phi_1445_ = 0u;
                                                     } else {
-                                                        phi_1441_ = 1u;
+                                                        phi_1445_ = 1u;
                                                     }
-                                                    let _e1286 = phi_1441_;
-                                                    if (_e1206 < 0f) {
-                                                        phi_1446_ = 0u;
+                                                    let _e1290 = phi_1445_;
+                                                    if (_e1210 < 0f) {
+                                                        phi_1450_ = 0u;
                                                     } else {
-                                                        phi_1446_ = 2u;
+                                                        phi_1450_ = 2u;
                                                     }
-                                                    let _e1289 = phi_1446_;
-                                                    if (_e1216 < 0f) {
-                                                        phi_1451_ = 0u;
+                                                    let _e1293 = phi_1450_;
+                                                    if (_e1220 < 0f) {
+                                                        phi_1455_ = 0u;
                                                     } else {
-                                                        phi_1451_ = 4u;
+                                                        phi_1455_ = 4u;
                                                     }
-                                                    let _e1292 = phi_1451_;
-                                                    let _e1294 = ((_e1286 | _e1289) | _e1292);
-                                                    let _e1295 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1056, 2147483648u);
-                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1295.first[0], _e1295.first[1], _e1295.first[2], _e1295.first[3], _e1295.first[4], _e1295.first[5], _e1295.first[6], _e1295.first[7], _e1295.first[8], _e1295.first[9], _e1295.first[10], _e1295.first[11], _e1295.first[12], _e1295.first[13], _e1295.first[14], _e1295.first[15], _e1295.first[16], _e1295.first[17], _e1295.first[18], _e1295.first[19], _e1295.first[20], _e1295.first[21], _e1295.first[22], _e1295.first[23], _e1295.first[24], _e1295.first[25], _e1295.first[26], _e1295.first[27], _e1295.first[28], _e1295.first[29], _e1295.first[30], _e1295.first[31]), array<u32, 32>(_e1295.mask[0], _e1295.mask[1], _e1295.mask[2], _e1295.mask[3], _e1295.mask[4], _e1295.mask[5], _e1295.mask[6], _e1295.mask[7], _e1295.mask[8], _e1295.mask[9], _e1295.mask[10], _e1295.mask[11], _e1295.mask[12], _e1295.mask[13], _e1295.mask[14], _e1295.mask[15], _e1295.mask[16], _e1295.mask[17], _e1295.mask[18], _e1295.mask[19], _e1295.mask[20], _e1295.mask[21], _e1295.mask[22], _e1295.mask[23], _e1295.mask[24], _e1295.mask[25], _e1295.mask[26], _e1295.mask[27], _e1295.mask[28], _e1295.mask[29], _e1295.mask[30], _e1295.mask[31]), _e1295.len, _e1295.group, _e1295.group_mask);
-                                                    let _e1369 = local.group_mask;
-                                                    if ((_e1369 & 4278190080u) == 0u) {
-                                                        let _e1373 = local.len;
-                                                        if (_e1373 == 0u) {
-                                                            phi_1565_ = false;
+                                                    let _e1296 = phi_1455_;
+                                                    let _e1298 = ((_e1290 | _e1293) | _e1296);
+                                                    let _e1299 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1060, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1299.first[0], _e1299.first[1], _e1299.first[2], _e1299.first[3], _e1299.first[4], _e1299.first[5], _e1299.first[6], _e1299.first[7], _e1299.first[8], _e1299.first[9], _e1299.first[10], _e1299.first[11], _e1299.first[12], _e1299.first[13], _e1299.first[14], _e1299.first[15], _e1299.first[16], _e1299.first[17], _e1299.first[18], _e1299.first[19], _e1299.first[20], _e1299.first[21], _e1299.first[22], _e1299.first[23], _e1299.first[24], _e1299.first[25], _e1299.first[26], _e1299.first[27], _e1299.first[28], _e1299.first[29], _e1299.first[30], _e1299.first[31]), array<u32, 32>(_e1299.mask[0], _e1299.mask[1], _e1299.mask[2], _e1299.mask[3], _e1299.mask[4], _e1299.mask[5], _e1299.mask[6], _e1299.mask[7], _e1299.mask[8], _e1299.mask[9], _e1299.mask[10], _e1299.mask[11], _e1299.mask[12], _e1299.mask[13], _e1299.mask[14], _e1299.mask[15], _e1299.mask[16], _e1299.mask[17], _e1299.mask[18], _e1299.mask[19], _e1299.mask[20], _e1299.mask[21], _e1299.mask[22], _e1299.mask[23], _e1299.mask[24], _e1299.mask[25], _e1299.mask[26], _e1299.mask[27], _e1299.mask[28], _e1299.mask[29], _e1299.mask[30], _e1299.mask[31]), _e1299.len, _e1299.group, _e1299.group_mask);
+                                                    let _e1373 = local.group_mask;
+                                                    if ((_e1373 & 4278190080u) == 0u) {
+                                                        let _e1377 = local.len;
+                                                        if (_e1377 == 0u) {
+                                                            phi_1569_ = false;
                                                         } else {
-                                                            let _e1377 = local.len;
-                                                            local.len = (_e1377 - 1u);
-                                                            let _e1380 = local.len;
-                                                            if (_e1380 < 32u) {
+                                                            let _e1381 = local.len;
+                                                            local.len = (_e1381 - 1u);
+                                                            let _e1384 = local.len;
+                                                            if (_e1384 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1385 = local.first[(0u + _e1380)];
-                                                            local.group = _e1385;
-                                                            let _e1388 = local.len;
-                                                            if (_e1388 < 32u) {
+                                                            let _e1389 = local.first[(0u + _e1384)];
+                                                            local.group = _e1389;
+                                                            let _e1392 = local.len;
+                                                            if (_e1392 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1393 = local.mask[(0u + _e1388)];
-                                                            local.group_mask = _e1393;
-                                                            phi_1565_ = true;
+                                                            let _e1397 = local.mask[(0u + _e1392)];
+                                                            local.group_mask = _e1397;
+                                                            phi_1569_ = true;
                                                         }
-                                                        let _e1396 = phi_1565_;
-                                                        phi_1566_ = _e1396;
+                                                        let _e1400 = phi_1569_;
+                                                        phi_1570_ = _e1400;
                                                     } else {
-                                                        phi_1566_ = true;
+                                                        phi_1570_ = true;
                                                     }
-                                                    let _e1398 = phi_1566_;
-                                                    if _e1398 {
-                                                        let _e1400 = local.group_mask;
-                                                        let _e1406 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1400)), 32u, (_e1400 == 0u)));
-                                                        let _e1410 = local.group_mask;
-                                                        let _e1424 = local.group_mask;
-                                                        local.group_mask = (_e1424 & ~((1u << bitcast<u32>((_e1406 & 31u)))));
-                                                        let _e1427 = local.group;
-                                                        phi_1597_ = (_e1427 + countOneBits(((_e1410 & ~((4294967295u << bitcast<u32>((((_e1406 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1402 = phi_1570_;
+                                                    if _e1402 {
+                                                        let _e1404 = local.group_mask;
+                                                        let _e1410 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1404)), 32u, (_e1404 == 0u)));
+                                                        let _e1414 = local.group_mask;
+                                                        let _e1428 = local.group_mask;
+                                                        local.group_mask = (_e1428 & ~((1u << bitcast<u32>((_e1410 & 31u)))));
+                                                        let _e1431 = local.group;
+                                                        phi_1601_ = (_e1431 + countOneBits(((_e1414 & ~((4294967295u << bitcast<u32>((((_e1410 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1597_ = 4294967295u;
+                                                        phi_1601_ = 4294967295u;
                                                     }
-                                                    let _e1430 = phi_1597_;
-                                                    phi_1599_ = _e1430;
+                                                    let _e1434 = phi_1601_;
+                                                    phi_1603_ = _e1434;
+                                                    phi_1606_ = _e911;
                                                     loop {
-                                                        let _e1432 = phi_1599_;
-                                                        if (_e1432 != 4294967295u) {
-                                                            if (_e1432 < _e60) {
+                                                        let _e1436 = phi_1603_;
+                                                        let _e1438 = phi_1606_;
+                                                        local_14 = _e1438;
+                                                        if (_e1436 != 4294967295u) {
+                                                            if (_e1436 < _e60) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1439 = nodes.member[(0u + _e1432)].frame[3u];
-                                                            let _e1464 = (bitcast<f32>((((_e1439 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1196);
-                                                            let _e1465 = (bitcast<f32>((((_e1439 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1206);
-                                                            let _e1466 = (bitcast<f32>((((_e1439 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1216);
-                                                            let _e1469 = nodes.member[(0u + _e1432)].frame[0u];
-                                                            let _e1473 = nodes.member[(0u + _e1432)].frame[1u];
-                                                            let _e1477 = nodes.member[(0u + _e1432)].frame[2u];
-                                                            let _e1482 = ((bitcast<f32>(_e1469) - _e987) * _e1196);
-                                                            let _e1483 = ((bitcast<f32>(_e1473) - _e1000) * _e1206);
-                                                            let _e1484 = ((bitcast<f32>(_e1477) - _e1013) * _e1216);
-                                                            let _e1492 = nodes.member[(0u + _e1432)].x;
-                                                            if (_e1196 < 0f) {
-                                                                let _e1503 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1492.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1509 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1503.unnamed.root, _e1492.w), _e1503.unnamed_1);
-                                                                let _e1515 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1509.unnamed, lt_bvh_traverse_Tree(_e1492.x, _e1509.unnamed_1.first_primitive));
-                                                                phi_1680_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1515.unnamed, lt_bvh_traverse_Tree(_e1515.unnamed_1.root, _e1492.y));
+                                                            let _e1445 = nodes.member[(0u + _e1436)].frame[3u];
+                                                            let _e1470 = (bitcast<f32>((((_e1445 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1200);
+                                                            let _e1471 = (bitcast<f32>((((_e1445 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1210);
+                                                            let _e1472 = (bitcast<f32>((((_e1445 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1220);
+                                                            let _e1475 = nodes.member[(0u + _e1436)].frame[0u];
+                                                            let _e1479 = nodes.member[(0u + _e1436)].frame[1u];
+                                                            let _e1483 = nodes.member[(0u + _e1436)].frame[2u];
+                                                            let _e1488 = ((bitcast<f32>(_e1475) - _e991) * _e1200);
+                                                            let _e1489 = ((bitcast<f32>(_e1479) - _e1004) * _e1210);
+                                                            let _e1490 = ((bitcast<f32>(_e1483) - _e1017) * _e1220);
+                                                            let _e1498 = nodes.member[(0u + _e1436)].x;
+                                                            if (_e1200 < 0f) {
+                                                                let _e1509 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1498.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1515 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1509.unnamed.root, _e1498.w), _e1509.unnamed_1);
+                                                                let _e1521 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1515.unnamed, lt_bvh_traverse_Tree(_e1498.x, _e1515.unnamed_1.first_primitive));
+                                                                phi_1686_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1521.unnamed, lt_bvh_traverse_Tree(_e1521.unnamed_1.root, _e1498.y));
                                                             } else {
-                                                                let _e1531 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1492.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1537 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1531.unnamed.root, _e1492.y), _e1531.unnamed_1);
-                                                                let _e1543 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1537.unnamed, lt_bvh_traverse_Tree(_e1492.z, _e1537.unnamed_1.first_primitive));
-                                                                phi_1680_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1543.unnamed, lt_bvh_traverse_Tree(_e1543.unnamed_1.root, _e1492.w));
+                                                                let _e1537 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1498.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1543 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1537.unnamed.root, _e1498.y), _e1537.unnamed_1);
+                                                                let _e1549 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1543.unnamed, lt_bvh_traverse_Tree(_e1498.z, _e1543.unnamed_1.first_primitive));
+                                                                phi_1686_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1549.unnamed, lt_bvh_traverse_Tree(_e1549.unnamed_1.root, _e1498.w));
                                                             }
-                                                            let _e1551 = phi_1680_;
-                                                            let _e1561 = nodes.member[(0u + _e1432)].y;
-                                                            if (_e1206 < 0f) {
-                                                                let _e1572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1561.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1572.unnamed.root, _e1561.w), _e1572.unnamed_1);
-                                                                let _e1584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1578.unnamed, lt_bvh_traverse_Tree(_e1561.x, _e1578.unnamed_1.first_primitive));
-                                                                phi_1707_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1584.unnamed, lt_bvh_traverse_Tree(_e1584.unnamed_1.root, _e1561.y));
+                                                            let _e1557 = phi_1686_;
+                                                            let _e1567 = nodes.member[(0u + _e1436)].y;
+                                                            if (_e1210 < 0f) {
+                                                                let _e1578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1567.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1578.unnamed.root, _e1567.w), _e1578.unnamed_1);
+                                                                let _e1590 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1584.unnamed, lt_bvh_traverse_Tree(_e1567.x, _e1584.unnamed_1.first_primitive));
+                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1590.unnamed, lt_bvh_traverse_Tree(_e1590.unnamed_1.root, _e1567.y));
                                                             } else {
-                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1561.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1600.unnamed.root, _e1561.y), _e1600.unnamed_1);
-                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_bvh_traverse_Tree(_e1561.z, _e1606.unnamed_1.first_primitive));
-                                                                phi_1707_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1612.unnamed_1.root, _e1561.w));
+                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1567.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1606.unnamed.root, _e1567.y), _e1606.unnamed_1);
+                                                                let _e1618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1567.z, _e1612.unnamed_1.first_primitive));
+                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1618.unnamed, lt_bvh_traverse_Tree(_e1618.unnamed_1.root, _e1567.w));
                                                             }
-                                                            let _e1620 = phi_1707_;
-                                                            let _e1630 = nodes.member[(0u + _e1432)].z;
-                                                            if (_e1216 < 0f) {
-                                                                let _e1641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1630.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1641.unnamed.root, _e1630.w), _e1641.unnamed_1);
-                                                                let _e1653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1647.unnamed, lt_bvh_traverse_Tree(_e1630.x, _e1647.unnamed_1.first_primitive));
-                                                                phi_1734_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1653.unnamed, lt_bvh_traverse_Tree(_e1653.unnamed_1.root, _e1630.y));
+                                                            let _e1626 = phi_1713_;
+                                                            let _e1636 = nodes.member[(0u + _e1436)].z;
+                                                            if (_e1220 < 0f) {
+                                                                let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1636.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1647.unnamed.root, _e1636.w), _e1647.unnamed_1);
+                                                                let _e1659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1653.unnamed, lt_bvh_traverse_Tree(_e1636.x, _e1653.unnamed_1.first_primitive));
+                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1659.unnamed, lt_bvh_traverse_Tree(_e1659.unnamed_1.root, _e1636.y));
                                                             } else {
-                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1630.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1669.unnamed.root, _e1630.y), _e1669.unnamed_1);
-                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_bvh_traverse_Tree(_e1630.z, _e1675.unnamed_1.first_primitive));
-                                                                phi_1734_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1681.unnamed_1.root, _e1630.w));
+                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1636.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1675.unnamed.root, _e1636.y), _e1675.unnamed_1);
+                                                                let _e1687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1636.z, _e1681.unnamed_1.first_primitive));
+                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1687.unnamed, lt_bvh_traverse_Tree(_e1687.unnamed_1.root, _e1636.w));
                                                             }
-                                                            let _e1689 = phi_1734_;
-                                                            phi_1740_ = 0u;
-                                                            phi_1743_ = 0u;
+                                                            let _e1695 = phi_1740_;
+                                                            phi_1746_ = 0u;
+                                                            phi_1749_ = 0u;
                                                             loop {
-                                                                let _e1699 = phi_1740_;
-                                                                let _e1701 = phi_1743_;
-                                                                local_5 = _e1701;
-                                                                local_6 = _e1701;
-                                                                local_7 = _e1701;
-                                                                let _e1702 = (_e1699 < 8u);
-                                                                if _e1702 {
-                                                                    let _e1704 = (_e1699 >> bitcast<u32>(2i));
-                                                                    let _e1705 = (_e1699 & 3u);
-                                                                    if (_e1704 == 0u) {
-                                                                        phi_1757_ = _e1551.unnamed.root;
+                                                                let _e1705 = phi_1746_;
+                                                                let _e1707 = phi_1749_;
+                                                                local_5 = _e1707;
+                                                                local_6 = _e1707;
+                                                                local_7 = _e1707;
+                                                                let _e1708 = (_e1705 < 8u);
+                                                                if _e1708 {
+                                                                    let _e1710 = (_e1705 >> bitcast<u32>(2i));
+                                                                    let _e1711 = (_e1705 & 3u);
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1763_ = _e1557.unnamed.root;
                                                                     } else {
-                                                                        phi_1757_ = _e1551.unnamed.first_primitive;
+                                                                        phi_1763_ = _e1557.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1708 = phi_1757_;
-                                                                    if (_e1704 == 0u) {
-                                                                        phi_1767_ = _e1620.unnamed.root;
+                                                                    let _e1714 = phi_1763_;
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1773_ = _e1626.unnamed.root;
                                                                     } else {
-                                                                        phi_1767_ = _e1620.unnamed.first_primitive;
+                                                                        phi_1773_ = _e1626.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1717 = phi_1767_;
-                                                                    if (_e1704 == 0u) {
-                                                                        phi_1777_ = _e1689.unnamed.root;
+                                                                    let _e1723 = phi_1773_;
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1783_ = _e1695.unnamed.root;
                                                                     } else {
-                                                                        phi_1777_ = _e1689.unnamed.first_primitive;
+                                                                        phi_1783_ = _e1695.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1726 = phi_1777_;
-                                                                    let _e1739 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1708 >> bitcast<u32>(((_e1705 * 8u) & 31u))) & 255u)) * _e1464) + (_e1482 - _e1244)), ((f32(((_e1717 >> bitcast<u32>(((_e1705 * 8u) & 31u))) & 255u)) * _e1465) + (_e1483 - _e1245)));
-                                                                    let _e1740 = core_intrinsics_maximum_number_nsz_f32_(_e1739, ((f32(((_e1726 >> bitcast<u32>(((_e1705 * 8u) & 31u))) & 255u)) * _e1466) + (_e1484 - _e1246)));
-                                                                    if (_e1704 == 0u) {
-                                                                        phi_1795_ = _e1551.unnamed_1.root;
+                                                                    let _e1732 = phi_1783_;
+                                                                    let _e1745 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1714 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 - _e1248)), ((f32(((_e1723 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1471) + (_e1489 - _e1249)));
+                                                                    let _e1746 = core_intrinsics_maximum_number_nsz_f32_(_e1745, ((f32(((_e1732 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1472) + (_e1490 - _e1250)));
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1801_ = _e1557.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1795_ = _e1551.unnamed_1.first_primitive;
+                                                                        phi_1801_ = _e1557.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1743 = phi_1795_;
-                                                                    if (_e1704 == 0u) {
-                                                                        phi_1805_ = _e1620.unnamed_1.root;
+                                                                    let _e1749 = phi_1801_;
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1811_ = _e1626.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1805_ = _e1620.unnamed_1.first_primitive;
+                                                                        phi_1811_ = _e1626.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1752 = phi_1805_;
-                                                                    if (_e1704 == 0u) {
-                                                                        phi_1815_ = _e1689.unnamed_1.root;
+                                                                    let _e1758 = phi_1811_;
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1821_ = _e1695.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1815_ = _e1689.unnamed_1.first_primitive;
+                                                                        phi_1821_ = _e1695.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1761 = phi_1815_;
-                                                                    let _e1774 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1743 >> bitcast<u32>(((_e1705 * 8u) & 31u))) & 255u)) * _e1464) + (_e1482 + _e1244)), ((f32(((_e1752 >> bitcast<u32>(((_e1705 * 8u) & 31u))) & 255u)) * _e1465) + (_e1483 + _e1245)));
-                                                                    let _e1775 = core_intrinsics_minimum_number_nsz_f32_(_e1774, ((f32(((_e1761 >> bitcast<u32>(((_e1705 * 8u) & 31u))) & 255u)) * _e1466) + (_e1484 + _e1246)));
-                                                                    if (_e1740 <= _e1775) {
-                                                                        if (_e1740 <= _e117) {
-                                                                            if (_e1775 >= 0f) {
-                                                                                if (_e1704 == 0u) {
-                                                                                    let _e1782 = nodes.member[(0u + _e1432)].links[2u];
-                                                                                    phi_1851_ = _e1782;
+                                                                    let _e1767 = phi_1821_;
+                                                                    let _e1780 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1749 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 + _e1248)), ((f32(((_e1758 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1471) + (_e1489 + _e1249)));
+                                                                    let _e1781 = core_intrinsics_minimum_number_nsz_f32_(_e1780, ((f32(((_e1767 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1472) + (_e1490 + _e1250)));
+                                                                    if (_e1746 <= _e1781) {
+                                                                        if (_e1746 <= _e117) {
+                                                                            if (_e1781 >= 0f) {
+                                                                                if (_e1710 == 0u) {
+                                                                                    let _e1788 = nodes.member[(0u + _e1436)].links[2u];
+                                                                                    phi_1857_ = _e1788;
                                                                                 } else {
-                                                                                    let _e1785 = nodes.member[(0u + _e1432)].links[3u];
-                                                                                    phi_1851_ = _e1785;
+                                                                                    let _e1791 = nodes.member[(0u + _e1436)].links[3u];
+                                                                                    phi_1857_ = _e1791;
                                                                                 }
-                                                                                let _e1787 = phi_1851_;
-                                                                                let _e1792 = ((_e1787 >> bitcast<u32>(((_e1705 * 8u) & 31u))) & 255u);
-                                                                                let _e1793 = (_e1792 & 31u);
-                                                                                if (_e1793 >= 24u) {
-                                                                                    phi_1864_ = (24u + ((_e1793 - 24u) ^ _e1294));
+                                                                                let _e1793 = phi_1857_;
+                                                                                let _e1798 = ((_e1793 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u);
+                                                                                let _e1799 = (_e1798 & 31u);
+                                                                                if (_e1799 >= 24u) {
+                                                                                    phi_1870_ = (24u + ((_e1799 - 24u) ^ _e1298));
                                                                                 } else {
-                                                                                    phi_1864_ = _e1793;
+                                                                                    phi_1870_ = _e1799;
                                                                                 }
-                                                                                let _e1799 = phi_1864_;
-                                                                                phi_1869_ = (_e1701 | ((_e1792 >> bitcast<u32>(5i)) << bitcast<u32>((_e1799 & 31u))));
+                                                                                let _e1805 = phi_1870_;
+                                                                                phi_1875_ = (_e1707 | ((_e1798 >> bitcast<u32>(5i)) << bitcast<u32>((_e1805 & 31u))));
                                                                             } else {
-                                                                                phi_1869_ = _e1701;
+                                                                                phi_1875_ = _e1707;
                                                                             }
-                                                                            let _e1807 = phi_1869_;
-                                                                            phi_1870_ = _e1807;
+                                                                            let _e1813 = phi_1875_;
+                                                                            phi_1876_ = _e1813;
                                                                         } else {
-                                                                            phi_1870_ = _e1701;
+                                                                            phi_1876_ = _e1707;
                                                                         }
-                                                                        let _e1809 = phi_1870_;
-                                                                        phi_1871_ = _e1809;
+                                                                        let _e1815 = phi_1876_;
+                                                                        phi_1877_ = _e1815;
                                                                     } else {
-                                                                        phi_1871_ = _e1701;
+                                                                        phi_1877_ = _e1707;
                                                                     }
-                                                                    let _e1811 = phi_1871_;
-                                                                    phi_1741_ = (_e1699 + 1u);
-                                                                    phi_1744_ = _e1811;
+                                                                    let _e1817 = phi_1877_;
+                                                                    phi_1747_ = (_e1705 + 1u);
+                                                                    phi_1750_ = _e1817;
                                                                 } else {
-                                                                    phi_1741_ = u32();
-                                                                    phi_1744_ = u32();
+                                                                    phi_1747_ = u32();
+                                                                    phi_1750_ = u32();
                                                                 }
-                                                                let _e1814 = phi_1741_;
-                                                                let _e1816 = phi_1744_;
+                                                                let _e1820 = phi_1747_;
+                                                                let _e1822 = phi_1750_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1740_ = _e1814;
-                                                                    phi_1743_ = _e1816;
-                                                                    break if !(_e1702);
+                                                                    phi_1746_ = _e1820;
+                                                                    phi_1749_ = _e1822;
+                                                                    break if !(_e1708);
                                                                 }
                                                             }
-                                                            let _e1820 = nodes.member[(0u + _e1432)].links[0u];
-                                                            let _e1824 = nodes.member[(0u + _e1432)].frame[3u];
-                                                            let _e1828 = local_5;
-                                                            if ((_e1828 & 4278190080u) == 0u) {
+                                                            let _e1826 = nodes.member[(0u + _e1436)].links[0u];
+                                                            let _e1830 = nodes.member[(0u + _e1436)].frame[3u];
+                                                            let _e1834 = local_5;
+                                                            if ((_e1834 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1832 = local.group_mask;
-                                                                if ((_e1832 & 4278190080u) == 0u) {
+                                                                let _e1838 = local.group_mask;
+                                                                if ((_e1838 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1836 = local.len;
-                                                                    if (_e1836 < 32u) {
-                                                                        let _e1839 = local.group;
-                                                                        let _e1841 = local.len;
-                                                                        if (_e1841 < 32u) {
+                                                                    let _e1842 = local.len;
+                                                                    if (_e1842 < 32u) {
+                                                                        let _e1845 = local.group;
+                                                                        let _e1847 = local.len;
+                                                                        if (_e1847 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.first[(0u + _e1841)] = _e1839;
-                                                                        let _e1847 = local.group_mask;
-                                                                        let _e1849 = local.len;
-                                                                        if (_e1849 < 32u) {
+                                                                        local.first[(0u + _e1847)] = _e1845;
+                                                                        let _e1853 = local.group_mask;
+                                                                        let _e1855 = local.len;
+                                                                        if (_e1855 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.mask[(0u + _e1849)] = _e1847;
-                                                                        let _e1856 = local.len;
-                                                                        local.len = (_e1856 + 1u);
+                                                                        local.mask[(0u + _e1855)] = _e1853;
+                                                                        let _e1862 = local.len;
+                                                                        local.len = (_e1862 + 1u);
                                                                     }
                                                                 }
-                                                                local.group = (_e1056 + _e1820);
-                                                                let _e1860 = local_6;
-                                                                local.group_mask = ((_e1860 & 4278190080u) | (_e1824 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1060 + _e1826);
+                                                                let _e1866 = local_6;
+                                                                local.group_mask = ((_e1866 & 4278190080u) | (_e1830 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1865 = local_7;
-                                                            phi_1929_ = (_e1865 & 16777215u);
+                                                            let _e1871 = local_7;
+                                                            phi_1935_ = (_e1871 & 16777215u);
+                                                            phi_1938_ = _e1438;
                                                             loop {
-                                                                let _e1868 = phi_1929_;
-                                                                let _e1869 = (_e1868 == 0u);
-                                                                local_8 = _e1869;
-                                                                local_14 = _e1869;
-                                                                if _e1869 {
-                                                                    phi_1930_ = u32();
-                                                                    phi_2540_ = false;
-                                                                    phi_2541_ = false;
-                                                                    phi_2542_ = false;
+                                                                let _e1874 = phi_1935_;
+                                                                let _e1876 = phi_1938_;
+                                                                local_12 = _e1876;
+                                                                let _e1877 = (_e1874 == 0u);
+                                                                local_8 = _e1877;
+                                                                local_13 = _e1877;
+                                                                if _e1877 {
+                                                                    phi_1936_ = u32();
+                                                                    phi_1939_ = bool();
+                                                                    phi_2536_ = false;
                                                                 } else {
-                                                                    let _e1872 = nodes.member[(0u + _e1432)].links[1u];
-                                                                    let _e1877 = ((_e1058 + _e1872) + select(firstTrailingBit(_e1868), 32u, (_e1868 == 0u)));
-                                                                    if (_e1877 < arrayLength((&triangles.member))) {
+                                                                    let _e1880 = nodes.member[(0u + _e1436)].links[1u];
+                                                                    let _e1885 = ((_e1062 + _e1880) + select(firstTrailingBit(_e1874), 32u, (_e1874 == 0u)));
+                                                                    if (_e1885 < arrayLength((&triangles.member))) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1884 = triangles.member[(0u + _e1877)].v0_;
-                                                                    let _e1886 = (_e1884.x - _e987);
-                                                                    let _e1888 = (_e1884.y - _e1000);
-                                                                    let _e1890 = (_e1884.z - _e1013);
-                                                                    if (_e1267 == 0u) {
-                                                                        phi_1975_ = vec3<f32>(_e1888, _e1890, _e1886);
+                                                                    let _e1892 = triangles.member[(0u + _e1885)].v0_;
+                                                                    let _e1894 = (_e1892.x - _e991);
+                                                                    let _e1896 = (_e1892.y - _e1004);
+                                                                    let _e1898 = (_e1892.z - _e1017);
+                                                                    if (_e1271 == 0u) {
+                                                                        phi_1983_ = vec3<f32>(_e1896, _e1898, _e1894);
                                                                     } else {
-                                                                        if (_e1267 == 1u) {
-                                                                            phi_1974_ = vec3<f32>(_e1890, _e1886, _e1888);
+                                                                        if (_e1271 == 1u) {
+                                                                            phi_1982_ = vec3<f32>(_e1898, _e1894, _e1896);
                                                                         } else {
-                                                                            phi_1974_ = (_e1884 - vec3<f32>(_e987, _e1000, _e1013));
+                                                                            phi_1982_ = (_e1892 - vec3<f32>(_e991, _e1004, _e1017));
                                                                         }
-                                                                        let _e1898 = phi_1974_;
-                                                                        phi_1975_ = _e1898;
+                                                                        let _e1906 = phi_1982_;
+                                                                        phi_1983_ = _e1906;
                                                                     }
-                                                                    let _e1900 = phi_1975_;
-                                                                    let _e1904 = (_e1900.x - (_e1278 * _e1900.z));
-                                                                    let _e1908 = (_e1900.y - (_e1281 * _e1900.z));
-                                                                    let _e1910 = triangles.member[(0u + _e1877)].v1_;
-                                                                    let _e1912 = (_e1910.x - _e987);
-                                                                    let _e1914 = (_e1910.y - _e1000);
-                                                                    let _e1916 = (_e1910.z - _e1013);
-                                                                    if (_e1267 == 0u) {
-                                                                        phi_2005_ = vec3<f32>(_e1914, _e1916, _e1912);
+                                                                    let _e1908 = phi_1983_;
+                                                                    let _e1912 = (_e1908.x - (_e1282 * _e1908.z));
+                                                                    let _e1916 = (_e1908.y - (_e1285 * _e1908.z));
+                                                                    let _e1918 = triangles.member[(0u + _e1885)].v1_;
+                                                                    let _e1920 = (_e1918.x - _e991);
+                                                                    let _e1922 = (_e1918.y - _e1004);
+                                                                    let _e1924 = (_e1918.z - _e1017);
+                                                                    if (_e1271 == 0u) {
+                                                                        phi_2013_ = vec3<f32>(_e1922, _e1924, _e1920);
                                                                     } else {
-                                                                        if (_e1267 == 1u) {
-                                                                            phi_2004_ = vec3<f32>(_e1916, _e1912, _e1914);
+                                                                        if (_e1271 == 1u) {
+                                                                            phi_2012_ = vec3<f32>(_e1924, _e1920, _e1922);
                                                                         } else {
-                                                                            phi_2004_ = (_e1910 - vec3<f32>(_e987, _e1000, _e1013));
+                                                                            phi_2012_ = (_e1918 - vec3<f32>(_e991, _e1004, _e1017));
                                                                         }
-                                                                        let _e1924 = phi_2004_;
-                                                                        phi_2005_ = _e1924;
+                                                                        let _e1932 = phi_2012_;
+                                                                        phi_2013_ = _e1932;
                                                                     }
-                                                                    let _e1926 = phi_2005_;
-                                                                    let _e1930 = (_e1926.x - (_e1278 * _e1926.z));
-                                                                    let _e1934 = (_e1926.y - (_e1281 * _e1926.z));
-                                                                    let _e1936 = triangles.member[(0u + _e1877)].v2_;
-                                                                    let _e1938 = (_e1936.x - _e987);
-                                                                    let _e1940 = (_e1936.y - _e1000);
-                                                                    let _e1942 = (_e1936.z - _e1013);
-                                                                    if (_e1267 == 0u) {
-                                                                        phi_2035_ = vec3<f32>(_e1940, _e1942, _e1938);
+                                                                    let _e1934 = phi_2013_;
+                                                                    let _e1938 = (_e1934.x - (_e1282 * _e1934.z));
+                                                                    let _e1942 = (_e1934.y - (_e1285 * _e1934.z));
+                                                                    let _e1944 = triangles.member[(0u + _e1885)].v2_;
+                                                                    let _e1946 = (_e1944.x - _e991);
+                                                                    let _e1948 = (_e1944.y - _e1004);
+                                                                    let _e1950 = (_e1944.z - _e1017);
+                                                                    if (_e1271 == 0u) {
+                                                                        phi_2043_ = vec3<f32>(_e1948, _e1950, _e1946);
                                                                     } else {
-                                                                        if (_e1267 == 1u) {
-                                                                            phi_2034_ = vec3<f32>(_e1942, _e1938, _e1940);
+                                                                        if (_e1271 == 1u) {
+                                                                            phi_2042_ = vec3<f32>(_e1950, _e1946, _e1948);
                                                                         } else {
-                                                                            phi_2034_ = (_e1936 - vec3<f32>(_e987, _e1000, _e1013));
+                                                                            phi_2042_ = (_e1944 - vec3<f32>(_e991, _e1004, _e1017));
                                                                         }
-                                                                        let _e1950 = phi_2034_;
-                                                                        phi_2035_ = _e1950;
+                                                                        let _e1958 = phi_2042_;
+                                                                        phi_2043_ = _e1958;
                                                                     }
-                                                                    let _e1952 = phi_2035_;
-                                                                    let _e1956 = (_e1952.x - (_e1278 * _e1952.z));
-                                                                    let _e1960 = (_e1952.y - (_e1281 * _e1952.z));
-                                                                    if (_e1930 < _e1956) {
-                                                                        phi_2054_ = true;
+                                                                    let _e1960 = phi_2043_;
+                                                                    let _e1964 = (_e1960.x - (_e1282 * _e1960.z));
+                                                                    let _e1968 = (_e1960.y - (_e1285 * _e1960.z));
+                                                                    if (_e1938 < _e1964) {
+                                                                        phi_2062_ = true;
                                                                     } else {
-                                                                        if (_e1930 == _e1956) {
-                                                                            phi_2053_ = (_e1934 < _e1960);
+                                                                        if (_e1938 == _e1964) {
+                                                                            phi_2061_ = (_e1942 < _e1968);
                                                                         } else {
-                                                                            phi_2053_ = false;
+                                                                            phi_2061_ = false;
                                                                         }
-                                                                        let _e1965 = phi_2053_;
-                                                                        phi_2054_ = _e1965;
+                                                                        let _e1973 = phi_2061_;
+                                                                        phi_2062_ = _e1973;
                                                                     }
-                                                                    let _e1967 = phi_2054_;
-                                                                    if _e1967 {
-                                                                        phi_2058_ = _e1960;
-                                                                        phi_2059_ = _e1956;
-                                                                        phi_2060_ = _e1934;
-                                                                        phi_2061_ = _e1930;
+                                                                    let _e1975 = phi_2062_;
+                                                                    if _e1975 {
+                                                                        phi_2066_ = _e1968;
+                                                                        phi_2067_ = _e1964;
+                                                                        phi_2068_ = _e1942;
+                                                                        phi_2069_ = _e1938;
                                                                     } else {
-                                                                        phi_2058_ = _e1934;
-                                                                        phi_2059_ = _e1930;
-                                                                        phi_2060_ = _e1960;
-                                                                        phi_2061_ = _e1956;
+                                                                        phi_2066_ = _e1942;
+                                                                        phi_2067_ = _e1938;
+                                                                        phi_2068_ = _e1968;
+                                                                        phi_2069_ = _e1964;
                                                                     }
-                                                                    let _e1969 = phi_2058_;
-                                                                    let _e1971 = phi_2059_;
-                                                                    let _e1973 = phi_2060_;
-                                                                    let _e1975 = phi_2061_;
-                                                                    let _e1978 = ((_e1975 * _e1969) - (_e1973 * _e1971));
-                                                                    if _e1967 {
-                                                                        phi_2069_ = -(_e1978);
+                                                                    let _e1977 = phi_2066_;
+                                                                    let _e1979 = phi_2067_;
+                                                                    let _e1981 = phi_2068_;
+                                                                    let _e1983 = phi_2069_;
+                                                                    let _e1986 = ((_e1983 * _e1977) - (_e1981 * _e1979));
+                                                                    if _e1975 {
+                                                                        phi_2077_ = -(_e1986);
                                                                     } else {
-                                                                        phi_2069_ = _e1978;
+                                                                        phi_2077_ = _e1986;
                                                                     }
-                                                                    let _e1981 = phi_2069_;
-                                                                    if (_e1956 < _e1904) {
-                                                                        phi_2080_ = true;
+                                                                    let _e1989 = phi_2077_;
+                                                                    if (_e1964 < _e1912) {
+                                                                        phi_2088_ = true;
                                                                     } else {
-                                                                        if (_e1956 == _e1904) {
-                                                                            phi_2079_ = (_e1960 < _e1908);
+                                                                        if (_e1964 == _e1912) {
+                                                                            phi_2087_ = (_e1968 < _e1916);
                                                                         } else {
-                                                                            phi_2079_ = false;
+                                                                            phi_2087_ = false;
                                                                         }
-                                                                        let _e1986 = phi_2079_;
-                                                                        phi_2080_ = _e1986;
+                                                                        let _e1994 = phi_2087_;
+                                                                        phi_2088_ = _e1994;
                                                                     }
-                                                                    let _e1988 = phi_2080_;
-                                                                    if _e1988 {
-                                                                        phi_2084_ = _e1908;
-                                                                        phi_2085_ = _e1904;
-                                                                        phi_2086_ = _e1960;
-                                                                        phi_2087_ = _e1956;
+                                                                    let _e1996 = phi_2088_;
+                                                                    if _e1996 {
+                                                                        phi_2092_ = _e1916;
+                                                                        phi_2093_ = _e1912;
+                                                                        phi_2094_ = _e1968;
+                                                                        phi_2095_ = _e1964;
                                                                     } else {
-                                                                        phi_2084_ = _e1960;
-                                                                        phi_2085_ = _e1956;
-                                                                        phi_2086_ = _e1908;
-                                                                        phi_2087_ = _e1904;
+                                                                        phi_2092_ = _e1968;
+                                                                        phi_2093_ = _e1964;
+                                                                        phi_2094_ = _e1916;
+                                                                        phi_2095_ = _e1912;
                                                                     }
-                                                                    let _e1990 = phi_2084_;
-                                                                    let _e1992 = phi_2085_;
-                                                                    let _e1994 = phi_2086_;
-                                                                    let _e1996 = phi_2087_;
-                                                                    let _e1999 = ((_e1996 * _e1990) - (_e1994 * _e1992));
-                                                                    if _e1988 {
-                                                                        phi_2095_ = -(_e1999);
+                                                                    let _e1998 = phi_2092_;
+                                                                    let _e2000 = phi_2093_;
+                                                                    let _e2002 = phi_2094_;
+                                                                    let _e2004 = phi_2095_;
+                                                                    let _e2007 = ((_e2004 * _e1998) - (_e2002 * _e2000));
+                                                                    if _e1996 {
+                                                                        phi_2103_ = -(_e2007);
                                                                     } else {
-                                                                        phi_2095_ = _e1999;
+                                                                        phi_2103_ = _e2007;
                                                                     }
-                                                                    let _e2002 = phi_2095_;
-                                                                    if (_e1904 < _e1930) {
-                                                                        phi_2106_ = true;
+                                                                    let _e2010 = phi_2103_;
+                                                                    if (_e1912 < _e1938) {
+                                                                        phi_2114_ = true;
                                                                     } else {
-                                                                        if (_e1904 == _e1930) {
-                                                                            phi_2105_ = (_e1908 < _e1934);
+                                                                        if (_e1912 == _e1938) {
+                                                                            phi_2113_ = (_e1916 < _e1942);
                                                                         } else {
-                                                                            phi_2105_ = false;
+                                                                            phi_2113_ = false;
                                                                         }
-                                                                        let _e2007 = phi_2105_;
-                                                                        phi_2106_ = _e2007;
+                                                                        let _e2015 = phi_2113_;
+                                                                        phi_2114_ = _e2015;
                                                                     }
-                                                                    let _e2009 = phi_2106_;
-                                                                    if _e2009 {
-                                                                        phi_2110_ = _e1934;
-                                                                        phi_2111_ = _e1930;
-                                                                        phi_2112_ = _e1908;
-                                                                        phi_2113_ = _e1904;
+                                                                    let _e2017 = phi_2114_;
+                                                                    if _e2017 {
+                                                                        phi_2118_ = _e1942;
+                                                                        phi_2119_ = _e1938;
+                                                                        phi_2120_ = _e1916;
+                                                                        phi_2121_ = _e1912;
                                                                     } else {
-                                                                        phi_2110_ = _e1908;
-                                                                        phi_2111_ = _e1904;
-                                                                        phi_2112_ = _e1934;
-                                                                        phi_2113_ = _e1930;
+                                                                        phi_2118_ = _e1916;
+                                                                        phi_2119_ = _e1912;
+                                                                        phi_2120_ = _e1942;
+                                                                        phi_2121_ = _e1938;
                                                                     }
-                                                                    let _e2011 = phi_2110_;
-                                                                    let _e2013 = phi_2111_;
-                                                                    let _e2015 = phi_2112_;
-                                                                    let _e2017 = phi_2113_;
-                                                                    let _e2020 = ((_e2017 * _e2011) - (_e2015 * _e2013));
-                                                                    if _e2009 {
-                                                                        phi_2121_ = -(_e2020);
+                                                                    let _e2019 = phi_2118_;
+                                                                    let _e2021 = phi_2119_;
+                                                                    let _e2023 = phi_2120_;
+                                                                    let _e2025 = phi_2121_;
+                                                                    let _e2028 = ((_e2025 * _e2019) - (_e2023 * _e2021));
+                                                                    if _e2017 {
+                                                                        phi_2129_ = -(_e2028);
                                                                     } else {
-                                                                        phi_2121_ = _e2020;
+                                                                        phi_2129_ = _e2028;
                                                                     }
-                                                                    let _e2023 = phi_2121_;
-                                                                    if (_e1981 >= 0f) {
-                                                                        if (_e2002 >= 0f) {
-                                                                            if (_e2023 >= 0f) {
-                                                                                phi_2136_ = ((_e1981 + _e2002) + _e2023);
-                                                                                phi_2137_ = false;
+                                                                    let _e2031 = phi_2129_;
+                                                                    if (_e1989 >= 0f) {
+                                                                        if (_e2010 >= 0f) {
+                                                                            if (_e2031 >= 0f) {
+                                                                                phi_2144_ = ((_e1989 + _e2010) + _e2031);
+                                                                                phi_2145_ = false;
                                                                             } else {
-                                                                                phi_2136_ = f32();
-                                                                                phi_2137_ = true;
+                                                                                phi_2144_ = f32();
+                                                                                phi_2145_ = true;
                                                                             }
-                                                                            let _e2030 = phi_2136_;
-                                                                            let _e2032 = phi_2137_;
-                                                                            phi_2138_ = _e2030;
-                                                                            phi_2139_ = _e2032;
+                                                                            let _e2038 = phi_2144_;
+                                                                            let _e2040 = phi_2145_;
+                                                                            phi_2146_ = _e2038;
+                                                                            phi_2147_ = _e2040;
                                                                         } else {
-                                                                            phi_2138_ = f32();
-                                                                            phi_2139_ = true;
+                                                                            phi_2146_ = f32();
+                                                                            phi_2147_ = true;
                                                                         }
-                                                                        let _e2034 = phi_2138_;
-                                                                        let _e2036 = phi_2139_;
-                                                                        phi_2140_ = _e2034;
-                                                                        phi_2141_ = _e2036;
+                                                                        let _e2042 = phi_2146_;
+                                                                        let _e2044 = phi_2147_;
+                                                                        phi_2148_ = _e2042;
+                                                                        phi_2149_ = _e2044;
                                                                     } else {
-                                                                        phi_2140_ = f32();
-                                                                        phi_2141_ = true;
+                                                                        phi_2148_ = f32();
+                                                                        phi_2149_ = true;
                                                                     }
-                                                                    let _e2038 = phi_2140_;
-                                                                    let _e2040 = phi_2141_;
-                                                                    if _e2040 {
-                                                                        if (_e1981 <= 0f) {
-                                                                            if (_e2002 <= 0f) {
-                                                                                let _e2043 = (_e2023 <= 0f);
-                                                                                if _e2043 {
+                                                                    let _e2046 = phi_2148_;
+                                                                    let _e2048 = phi_2149_;
+                                                                    if _e2048 {
+                                                                        if (_e1989 <= 0f) {
+                                                                            if (_e2010 <= 0f) {
+                                                                                let _e2051 = (_e2031 <= 0f);
+                                                                                if _e2051 {
                                                                                 }
-                                                                                phi_2159_ = ((_e1981 + _e2002) + _e2023);
-                                                                                phi_2160_ = false;
-                                                                                phi_2161_ = _e2043;
+                                                                                phi_2167_ = ((_e1989 + _e2010) + _e2031);
+                                                                                phi_2168_ = false;
+                                                                                phi_2169_ = _e2051;
                                                                             } else {
-                                                                                phi_2159_ = f32();
-                                                                                phi_2160_ = true;
-                                                                                phi_2161_ = false;
+                                                                                phi_2167_ = f32();
+                                                                                phi_2168_ = true;
+                                                                                phi_2169_ = false;
                                                                             }
-                                                                            let _e2047 = phi_2159_;
-                                                                            let _e2049 = phi_2160_;
-                                                                            let _e2051 = phi_2161_;
-                                                                            phi_2162_ = _e2047;
-                                                                            phi_2163_ = _e2049;
-                                                                            phi_2164_ = _e2051;
+                                                                            let _e2055 = phi_2167_;
+                                                                            let _e2057 = phi_2168_;
+                                                                            let _e2059 = phi_2169_;
+                                                                            phi_2170_ = _e2055;
+                                                                            phi_2171_ = _e2057;
+                                                                            phi_2172_ = _e2059;
                                                                         } else {
-                                                                            phi_2162_ = f32();
-                                                                            phi_2163_ = true;
-                                                                            phi_2164_ = false;
+                                                                            phi_2170_ = f32();
+                                                                            phi_2171_ = true;
+                                                                            phi_2172_ = false;
                                                                         }
-                                                                        let _e2053 = phi_2162_;
-                                                                        let _e2055 = phi_2163_;
-                                                                        let _e2057 = phi_2164_;
-                                                                        if _e2055 {
-                                                                            phi_2168_ = false;
+                                                                        let _e2061 = phi_2170_;
+                                                                        let _e2063 = phi_2171_;
+                                                                        let _e2065 = phi_2172_;
+                                                                        if _e2063 {
+                                                                            phi_2176_ = false;
                                                                         } else {
-                                                                            phi_2168_ = _e2057;
+                                                                            phi_2176_ = _e2065;
                                                                         }
-                                                                        let _e2059 = phi_2168_;
-                                                                        phi_2169_ = _e2053;
-                                                                        phi_2170_ = _e2059;
+                                                                        let _e2067 = phi_2176_;
+                                                                        phi_2177_ = _e2061;
+                                                                        phi_2178_ = _e2067;
                                                                     } else {
-                                                                        phi_2169_ = _e2038;
-                                                                        phi_2170_ = true;
+                                                                        phi_2177_ = _e2046;
+                                                                        phi_2178_ = true;
                                                                     }
-                                                                    let _e2061 = phi_2169_;
-                                                                    let _e2063 = phi_2170_;
-                                                                    if _e2063 {
-                                                                        let _e2064 = (_e2061 == 0f);
-                                                                        if _e2064 {
-                                                                            phi_2486_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2487_ = false;
+                                                                    let _e2069 = phi_2177_;
+                                                                    let _e2071 = phi_2178_;
+                                                                    if _e2071 {
+                                                                        let _e2072 = (_e2069 == 0f);
+                                                                        if _e2072 {
+                                                                            phi_2494_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2495_ = false;
                                                                         } else {
-                                                                            let _e2066 = triangles.member[(0u + _e1877)].v0_;
-                                                                            let _e2068 = (_e2066.x - _e987);
-                                                                            let _e2070 = (_e2066.y - _e1000);
-                                                                            let _e2072 = (_e2066.z - _e1013);
-                                                                            if (_e1267 == 0u) {
-                                                                                phi_2199_ = vec3<f32>(_e2070, _e2072, _e2068);
+                                                                            let _e2074 = triangles.member[(0u + _e1885)].v0_;
+                                                                            let _e2076 = (_e2074.x - _e991);
+                                                                            let _e2078 = (_e2074.y - _e1004);
+                                                                            let _e2080 = (_e2074.z - _e1017);
+                                                                            if (_e1271 == 0u) {
+                                                                                phi_2207_ = vec3<f32>(_e2078, _e2080, _e2076);
                                                                             } else {
-                                                                                if (_e1267 == 1u) {
-                                                                                    phi_2198_ = vec3<f32>(_e2072, _e2068, _e2070);
+                                                                                if (_e1271 == 1u) {
+                                                                                    phi_2206_ = vec3<f32>(_e2080, _e2076, _e2078);
                                                                                 } else {
-                                                                                    phi_2198_ = (_e2066 - vec3<f32>(_e987, _e1000, _e1013));
+                                                                                    phi_2206_ = (_e2074 - vec3<f32>(_e991, _e1004, _e1017));
                                                                                 }
-                                                                                let _e2080 = phi_2198_;
-                                                                                phi_2199_ = _e2080;
+                                                                                let _e2088 = phi_2206_;
+                                                                                phi_2207_ = _e2088;
                                                                             }
-                                                                            let _e2082 = phi_2199_;
-                                                                            let _e2084 = triangles.member[(0u + _e1877)].v1_;
-                                                                            let _e2086 = triangles.member[(0u + _e1877)].v0_;
-                                                                            let _e2089 = (_e2084.x - _e2086.x);
-                                                                            let _e2092 = (_e2084.y - _e2086.y);
-                                                                            let _e2095 = (_e2084.z - _e2086.z);
-                                                                            if (_e1267 == 0u) {
-                                                                                phi_2225_ = vec3<f32>(_e2092, _e2095, _e2089);
+                                                                            let _e2090 = phi_2207_;
+                                                                            let _e2092 = triangles.member[(0u + _e1885)].v1_;
+                                                                            let _e2094 = triangles.member[(0u + _e1885)].v0_;
+                                                                            let _e2097 = (_e2092.x - _e2094.x);
+                                                                            let _e2100 = (_e2092.y - _e2094.y);
+                                                                            let _e2103 = (_e2092.z - _e2094.z);
+                                                                            if (_e1271 == 0u) {
+                                                                                phi_2233_ = vec3<f32>(_e2100, _e2103, _e2097);
                                                                             } else {
-                                                                                if (_e1267 == 1u) {
-                                                                                    phi_2224_ = vec3<f32>(_e2095, _e2089, _e2092);
+                                                                                if (_e1271 == 1u) {
+                                                                                    phi_2232_ = vec3<f32>(_e2103, _e2097, _e2100);
                                                                                 } else {
-                                                                                    phi_2224_ = (_e2084 - _e2086);
+                                                                                    phi_2232_ = (_e2092 - _e2094);
                                                                                 }
-                                                                                let _e2102 = phi_2224_;
-                                                                                phi_2225_ = _e2102;
+                                                                                let _e2110 = phi_2232_;
+                                                                                phi_2233_ = _e2110;
                                                                             }
-                                                                            let _e2104 = phi_2225_;
-                                                                            let _e2106 = triangles.member[(0u + _e1877)].v2_;
-                                                                            let _e2108 = triangles.member[(0u + _e1877)].v0_;
-                                                                            let _e2111 = (_e2106.x - _e2108.x);
-                                                                            let _e2114 = (_e2106.y - _e2108.y);
-                                                                            let _e2117 = (_e2106.z - _e2108.z);
-                                                                            if (_e1267 == 0u) {
-                                                                                phi_2251_ = vec3<f32>(_e2114, _e2117, _e2111);
+                                                                            let _e2112 = phi_2233_;
+                                                                            let _e2114 = triangles.member[(0u + _e1885)].v2_;
+                                                                            let _e2116 = triangles.member[(0u + _e1885)].v0_;
+                                                                            let _e2119 = (_e2114.x - _e2116.x);
+                                                                            let _e2122 = (_e2114.y - _e2116.y);
+                                                                            let _e2125 = (_e2114.z - _e2116.z);
+                                                                            if (_e1271 == 0u) {
+                                                                                phi_2259_ = vec3<f32>(_e2122, _e2125, _e2119);
                                                                             } else {
-                                                                                if (_e1267 == 1u) {
-                                                                                    phi_2250_ = vec3<f32>(_e2117, _e2111, _e2114);
+                                                                                if (_e1271 == 1u) {
+                                                                                    phi_2258_ = vec3<f32>(_e2125, _e2119, _e2122);
                                                                                 } else {
-                                                                                    phi_2250_ = (_e2106 - _e2108);
+                                                                                    phi_2258_ = (_e2114 - _e2116);
                                                                                 }
-                                                                                let _e2124 = phi_2250_;
-                                                                                phi_2251_ = _e2124;
+                                                                                let _e2132 = phi_2258_;
+                                                                                phi_2259_ = _e2132;
                                                                             }
-                                                                            let _e2126 = phi_2251_;
-                                                                            let _e2133 = ((_e2104.y * _e2126.z) - (_e2104.z * _e2126.y));
-                                                                            let _e2140 = ((_e2104.z * _e2126.x) - (_e2104.x * _e2126.z));
-                                                                            let _e2147 = ((_e2104.x * _e2126.y) - (_e2104.y * _e2126.x));
-                                                                            let _e2161 = (((1f / _e1275.z) * (((_e2133 * _e2082.x) + (_e2140 * _e2082.y)) + (_e2147 * _e2082.z))) / (((_e2133 * _e1278) + (_e2140 * _e1281)) + _e2147));
-                                                                            if (_e2161 > 0f) {
-                                                                                if (_e2161 < _e117) {
-                                                                                    let _e2165 = triangles.member[(0u + _e1877)].v0_;
-                                                                                    let _e2167 = triangles.member[(0u + _e1877)].v1_;
-                                                                                    if (_e2165.x < _e2167.x) {
-                                                                                        phi_2307_ = _e2165.x;
+                                                                            let _e2134 = phi_2259_;
+                                                                            let _e2141 = ((_e2112.y * _e2134.z) - (_e2112.z * _e2134.y));
+                                                                            let _e2148 = ((_e2112.z * _e2134.x) - (_e2112.x * _e2134.z));
+                                                                            let _e2155 = ((_e2112.x * _e2134.y) - (_e2112.y * _e2134.x));
+                                                                            let _e2169 = (((1f / _e1279.z) * (((_e2141 * _e2090.x) + (_e2148 * _e2090.y)) + (_e2155 * _e2090.z))) / (((_e2141 * _e1282) + (_e2148 * _e1285)) + _e2155));
+                                                                            if (_e2169 > 0f) {
+                                                                                if (_e2169 < _e117) {
+                                                                                    let _e2173 = triangles.member[(0u + _e1885)].v0_;
+                                                                                    let _e2175 = triangles.member[(0u + _e1885)].v1_;
+                                                                                    if (_e2173.x < _e2175.x) {
+                                                                                        phi_2315_ = _e2173.x;
                                                                                     } else {
-                                                                                        phi_2307_ = _e2167.x;
+                                                                                        phi_2315_ = _e2175.x;
                                                                                     }
-                                                                                    let _e2174 = phi_2307_;
-                                                                                    if (_e2165.y < _e2167.y) {
-                                                                                        phi_2316_ = _e2165.y;
+                                                                                    let _e2182 = phi_2315_;
+                                                                                    if (_e2173.y < _e2175.y) {
+                                                                                        phi_2324_ = _e2173.y;
                                                                                     } else {
-                                                                                        phi_2316_ = _e2167.y;
+                                                                                        phi_2324_ = _e2175.y;
                                                                                     }
-                                                                                    let _e2181 = phi_2316_;
-                                                                                    if (_e2165.z < _e2167.z) {
-                                                                                        phi_2325_ = _e2165.z;
+                                                                                    let _e2189 = phi_2324_;
+                                                                                    if (_e2173.z < _e2175.z) {
+                                                                                        phi_2333_ = _e2173.z;
                                                                                     } else {
-                                                                                        phi_2325_ = _e2167.z;
+                                                                                        phi_2333_ = _e2175.z;
                                                                                     }
-                                                                                    let _e2188 = phi_2325_;
-                                                                                    let _e2190 = triangles.member[(0u + _e1877)].v2_;
-                                                                                    if (_e2174 < _e2190.x) {
-                                                                                        phi_2334_ = _e2174;
+                                                                                    let _e2196 = phi_2333_;
+                                                                                    let _e2198 = triangles.member[(0u + _e1885)].v2_;
+                                                                                    if (_e2182 < _e2198.x) {
+                                                                                        phi_2342_ = _e2182;
                                                                                     } else {
-                                                                                        phi_2334_ = _e2190.x;
+                                                                                        phi_2342_ = _e2198.x;
                                                                                     }
-                                                                                    let _e2195 = phi_2334_;
-                                                                                    if (_e2181 < _e2190.y) {
-                                                                                        phi_2341_ = _e2181;
+                                                                                    let _e2203 = phi_2342_;
+                                                                                    if (_e2189 < _e2198.y) {
+                                                                                        phi_2349_ = _e2189;
                                                                                     } else {
-                                                                                        phi_2341_ = _e2190.y;
+                                                                                        phi_2349_ = _e2198.y;
                                                                                     }
-                                                                                    let _e2200 = phi_2341_;
-                                                                                    if (_e2188 < _e2190.z) {
-                                                                                        phi_2348_ = _e2188;
+                                                                                    let _e2208 = phi_2349_;
+                                                                                    if (_e2196 < _e2198.z) {
+                                                                                        phi_2356_ = _e2196;
                                                                                     } else {
-                                                                                        phi_2348_ = _e2190.z;
+                                                                                        phi_2356_ = _e2198.z;
                                                                                     }
-                                                                                    let _e2205 = phi_2348_;
-                                                                                    let _e2207 = triangles.member[(0u + _e1877)].v0_;
-                                                                                    let _e2209 = triangles.member[(0u + _e1877)].v1_;
-                                                                                    if (_e2207.x > _e2209.x) {
-                                                                                        phi_2361_ = _e2207.x;
+                                                                                    let _e2213 = phi_2356_;
+                                                                                    let _e2215 = triangles.member[(0u + _e1885)].v0_;
+                                                                                    let _e2217 = triangles.member[(0u + _e1885)].v1_;
+                                                                                    if (_e2215.x > _e2217.x) {
+                                                                                        phi_2369_ = _e2215.x;
                                                                                     } else {
-                                                                                        phi_2361_ = _e2209.x;
+                                                                                        phi_2369_ = _e2217.x;
                                                                                     }
-                                                                                    let _e2216 = phi_2361_;
-                                                                                    if (_e2207.y > _e2209.y) {
-                                                                                        phi_2370_ = _e2207.y;
+                                                                                    let _e2224 = phi_2369_;
+                                                                                    if (_e2215.y > _e2217.y) {
+                                                                                        phi_2378_ = _e2215.y;
                                                                                     } else {
-                                                                                        phi_2370_ = _e2209.y;
+                                                                                        phi_2378_ = _e2217.y;
                                                                                     }
-                                                                                    let _e2223 = phi_2370_;
-                                                                                    if (_e2207.z > _e2209.z) {
-                                                                                        phi_2379_ = _e2207.z;
+                                                                                    let _e2231 = phi_2378_;
+                                                                                    if (_e2215.z > _e2217.z) {
+                                                                                        phi_2387_ = _e2215.z;
                                                                                     } else {
-                                                                                        phi_2379_ = _e2209.z;
+                                                                                        phi_2387_ = _e2217.z;
                                                                                     }
-                                                                                    let _e2230 = phi_2379_;
-                                                                                    let _e2232 = triangles.member[(0u + _e1877)].v2_;
-                                                                                    if (_e2216 > _e2232.x) {
-                                                                                        phi_2388_ = _e2216;
+                                                                                    let _e2238 = phi_2387_;
+                                                                                    let _e2240 = triangles.member[(0u + _e1885)].v2_;
+                                                                                    if (_e2224 > _e2240.x) {
+                                                                                        phi_2396_ = _e2224;
                                                                                     } else {
-                                                                                        phi_2388_ = _e2232.x;
+                                                                                        phi_2396_ = _e2240.x;
                                                                                     }
-                                                                                    let _e2237 = phi_2388_;
-                                                                                    if (_e2223 > _e2232.y) {
-                                                                                        phi_2395_ = _e2223;
+                                                                                    let _e2245 = phi_2396_;
+                                                                                    if (_e2231 > _e2240.y) {
+                                                                                        phi_2403_ = _e2231;
                                                                                     } else {
-                                                                                        phi_2395_ = _e2232.y;
+                                                                                        phi_2403_ = _e2240.y;
                                                                                     }
-                                                                                    let _e2242 = phi_2395_;
-                                                                                    if (_e2230 > _e2232.z) {
-                                                                                        phi_2402_ = _e2230;
+                                                                                    let _e2250 = phi_2403_;
+                                                                                    if (_e2238 > _e2240.z) {
+                                                                                        phi_2410_ = _e2238;
                                                                                     } else {
-                                                                                        phi_2402_ = _e2232.z;
+                                                                                        phi_2410_ = _e2240.z;
                                                                                     }
-                                                                                    let _e2247 = phi_2402_;
-                                                                                    let _e2251 = ((_e2195 - _e987) * _e1196);
-                                                                                    let _e2252 = ((_e2200 - _e1000) * _e1206);
-                                                                                    let _e2253 = ((_e2205 - _e1013) * _e1216);
-                                                                                    let _e2257 = ((_e2237 - _e987) * _e1196);
-                                                                                    let _e2258 = ((_e2242 - _e1000) * _e1206);
-                                                                                    let _e2259 = ((_e2247 - _e1013) * _e1216);
-                                                                                    if (_e2251 < _e2257) {
-                                                                                        phi_2419_ = _e2251;
+                                                                                    let _e2255 = phi_2410_;
+                                                                                    let _e2259 = ((_e2203 - _e991) * _e1200);
+                                                                                    let _e2260 = ((_e2208 - _e1004) * _e1210);
+                                                                                    let _e2261 = ((_e2213 - _e1017) * _e1220);
+                                                                                    let _e2265 = ((_e2245 - _e991) * _e1200);
+                                                                                    let _e2266 = ((_e2250 - _e1004) * _e1210);
+                                                                                    let _e2267 = ((_e2255 - _e1017) * _e1220);
+                                                                                    if (_e2259 < _e2265) {
+                                                                                        phi_2427_ = _e2259;
                                                                                     } else {
-                                                                                        phi_2419_ = _e2257;
+                                                                                        phi_2427_ = _e2265;
                                                                                     }
-                                                                                    let _e2262 = phi_2419_;
-                                                                                    if (_e2252 < _e2258) {
-                                                                                        phi_2424_ = _e2252;
+                                                                                    let _e2270 = phi_2427_;
+                                                                                    if (_e2260 < _e2266) {
+                                                                                        phi_2432_ = _e2260;
                                                                                     } else {
-                                                                                        phi_2424_ = _e2258;
+                                                                                        phi_2432_ = _e2266;
                                                                                     }
-                                                                                    let _e2265 = phi_2424_;
-                                                                                    if (_e2253 < _e2259) {
-                                                                                        phi_2429_ = _e2253;
+                                                                                    let _e2273 = phi_2432_;
+                                                                                    if (_e2261 < _e2267) {
+                                                                                        phi_2437_ = _e2261;
                                                                                     } else {
-                                                                                        phi_2429_ = _e2259;
+                                                                                        phi_2437_ = _e2267;
                                                                                     }
-                                                                                    let _e2268 = phi_2429_;
-                                                                                    if (_e2251 > _e2257) {
-                                                                                        phi_2437_ = _e2251;
+                                                                                    let _e2276 = phi_2437_;
+                                                                                    if (_e2259 > _e2265) {
+                                                                                        phi_2445_ = _e2259;
                                                                                     } else {
-                                                                                        phi_2437_ = _e2257;
+                                                                                        phi_2445_ = _e2265;
                                                                                     }
-                                                                                    let _e2274 = phi_2437_;
-                                                                                    if (_e2252 > _e2258) {
-                                                                                        phi_2442_ = _e2252;
+                                                                                    let _e2282 = phi_2445_;
+                                                                                    if (_e2260 > _e2266) {
+                                                                                        phi_2450_ = _e2260;
                                                                                     } else {
-                                                                                        phi_2442_ = _e2258;
+                                                                                        phi_2450_ = _e2266;
                                                                                     }
-                                                                                    let _e2277 = phi_2442_;
-                                                                                    if (_e2253 > _e2259) {
-                                                                                        phi_2447_ = _e2253;
+                                                                                    let _e2285 = phi_2450_;
+                                                                                    if (_e2261 > _e2267) {
+                                                                                        phi_2455_ = _e2261;
                                                                                     } else {
-                                                                                        phi_2447_ = _e2259;
+                                                                                        phi_2455_ = _e2267;
                                                                                     }
-                                                                                    let _e2280 = phi_2447_;
-                                                                                    let _e2284 = core_intrinsics_maximum_number_nsz_f32_((_e2262 - _e1251), (_e2265 - _e1252));
-                                                                                    let _e2285 = core_intrinsics_maximum_number_nsz_f32_(_e2284, (_e2268 - _e1253));
-                                                                                    let _e2286 = core_intrinsics_minimum_number_nsz_f32_((_e2274 + _e1251), (_e2277 + _e1252));
-                                                                                    let _e2287 = core_intrinsics_minimum_number_nsz_f32_(_e2286, (_e2280 + _e1253));
-                                                                                    if (_e2285 > _e968) {
-                                                                                        phi_2459_ = _e2285;
+                                                                                    let _e2288 = phi_2455_;
+                                                                                    let _e2292 = core_intrinsics_maximum_number_nsz_f32_((_e2270 - _e1255), (_e2273 - _e1256));
+                                                                                    let _e2293 = core_intrinsics_maximum_number_nsz_f32_(_e2292, (_e2276 - _e1257));
+                                                                                    let _e2294 = core_intrinsics_minimum_number_nsz_f32_((_e2282 + _e1255), (_e2285 + _e1256));
+                                                                                    let _e2295 = core_intrinsics_minimum_number_nsz_f32_(_e2294, (_e2288 + _e1257));
+                                                                                    if (_e2293 > _e972) {
+                                                                                        phi_2467_ = _e2293;
                                                                                     } else {
-                                                                                        phi_2459_ = _e968;
+                                                                                        phi_2467_ = _e972;
                                                                                     }
-                                                                                    let _e2290 = phi_2459_;
-                                                                                    if (_e2287 < _e970) {
-                                                                                        phi_2464_ = _e2287;
+                                                                                    let _e2298 = phi_2467_;
+                                                                                    if (_e2295 < _e974) {
+                                                                                        phi_2472_ = _e2295;
                                                                                     } else {
-                                                                                        phi_2464_ = _e970;
+                                                                                        phi_2472_ = _e974;
                                                                                     }
-                                                                                    let _e2293 = phi_2464_;
-                                                                                    if (_e2161 < _e2290) {
-                                                                                        phi_2469_ = _e2290;
+                                                                                    let _e2301 = phi_2472_;
+                                                                                    if (_e2169 < _e2298) {
+                                                                                        phi_2477_ = _e2298;
                                                                                     } else {
-                                                                                        phi_2469_ = _e2161;
+                                                                                        phi_2477_ = _e2169;
                                                                                     }
-                                                                                    let _e2296 = phi_2469_;
-                                                                                    if (_e2296 > _e2293) {
-                                                                                        phi_2474_ = _e2293;
+                                                                                    let _e2304 = phi_2477_;
+                                                                                    if (_e2304 > _e2301) {
+                                                                                        phi_2482_ = _e2301;
                                                                                     } else {
-                                                                                        phi_2474_ = _e2296;
+                                                                                        phi_2482_ = _e2304;
                                                                                     }
-                                                                                    let _e2299 = phi_2474_;
-                                                                                    phi_2479_ = lt_bvh_triangle_Intersection(_e2299, (_e2002 / _e2061), (_e2023 / _e2061), (_e2290 <= _e2293));
-                                                                                    phi_2480_ = false;
+                                                                                    let _e2307 = phi_2482_;
+                                                                                    phi_2487_ = lt_bvh_triangle_Intersection(_e2307, (_e2010 / _e2069), (_e2031 / _e2069), (_e2298 <= _e2301));
+                                                                                    phi_2488_ = false;
                                                                                 } else {
-                                                                                    phi_2479_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2480_ = true;
+                                                                                    phi_2487_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2488_ = true;
                                                                                 }
-                                                                                let _e2305 = phi_2479_;
-                                                                                let _e2307 = phi_2480_;
-                                                                                phi_2481_ = _e2305;
-                                                                                phi_2482_ = _e2307;
+                                                                                let _e2313 = phi_2487_;
+                                                                                let _e2315 = phi_2488_;
+                                                                                phi_2489_ = _e2313;
+                                                                                phi_2490_ = _e2315;
                                                                             } else {
-                                                                                phi_2481_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2482_ = true;
+                                                                                phi_2489_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2490_ = true;
                                                                             }
-                                                                            let _e2309 = phi_2481_;
-                                                                            let _e2311 = phi_2482_;
-                                                                            if _e2311 {
+                                                                            let _e2317 = phi_2489_;
+                                                                            let _e2319 = phi_2490_;
+                                                                            if _e2319 {
                                                                             }
-                                                                            phi_2486_ = _e2309;
-                                                                            phi_2487_ = _e2311;
+                                                                            phi_2494_ = _e2317;
+                                                                            phi_2495_ = _e2319;
                                                                         }
-                                                                        let _e2313 = phi_2486_;
-                                                                        let _e2315 = phi_2487_;
-                                                                        phi_2488_ = _e2313;
-                                                                        phi_2489_ = _e2064;
-                                                                        phi_2490_ = _e2315;
+                                                                        let _e2321 = phi_2494_;
+                                                                        let _e2323 = phi_2495_;
+                                                                        phi_2496_ = _e2321;
+                                                                        phi_2497_ = _e2072;
+                                                                        phi_2498_ = _e2323;
                                                                     } else {
-                                                                        phi_2488_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2489_ = true;
-                                                                        phi_2490_ = false;
+                                                                        phi_2496_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2497_ = true;
+                                                                        phi_2498_ = false;
                                                                     }
-                                                                    let _e2317 = phi_2488_;
-                                                                    let _e2319 = phi_2489_;
-                                                                    let _e2321 = phi_2490_;
-                                                                    if _e2319 {
-                                                                        phi_2494_ = true;
+                                                                    let _e2325 = phi_2496_;
+                                                                    let _e2327 = phi_2497_;
+                                                                    let _e2329 = phi_2498_;
+                                                                    if _e2327 {
+                                                                        phi_2502_ = true;
                                                                     } else {
-                                                                        phi_2494_ = _e2321;
+                                                                        phi_2502_ = _e2329;
                                                                     }
-                                                                    let _e2323 = phi_2494_;
-                                                                    if _e2323 {
-                                                                        phi_2498_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2331 = phi_2502_;
+                                                                    if _e2331 {
+                                                                        phi_2506_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2498_ = _e2317;
+                                                                        phi_2506_ = _e2325;
                                                                     }
-                                                                    let _e2325 = phi_2498_;
-                                                                    if _e2325.is_hit {
-                                                                        if (_e2325.t > 0f) {
-                                                                            if (_e2325.t < _e117) {
-                                                                                let _e2332 = triangles.member[(0u + _e1877)].i0_;
-                                                                                let _e2334 = ((_e2332 & 2147483648u) == 0u);
-                                                                                if _e2334 {
-                                                                                    phi_2524_ = false;
-                                                                                    phi_2525_ = false;
+                                                                    let _e2333 = phi_2506_;
+                                                                    if _e2333.is_hit {
+                                                                        if (_e2333.t > 0f) {
+                                                                            if (_e2333.t < _e117) {
+                                                                                if true {
+                                                                                    phi_2526_ = false;
                                                                                 } else {
-                                                                                    if true {
-                                                                                        phi_2523_ = false;
-                                                                                    } else {
-                                                                                        phi_2523_ = true;
-                                                                                    }
-                                                                                    let _e2336 = phi_2523_;
-                                                                                    phi_2524_ = _e2336;
-                                                                                    phi_2525_ = true;
+                                                                                    phi_2526_ = true;
                                                                                 }
-                                                                                let _e2338 = phi_2524_;
-                                                                                let _e2340 = phi_2525_;
-                                                                                phi_2526_ = _e2338;
-                                                                                phi_2527_ = _e2334;
-                                                                                phi_2528_ = _e2340;
+                                                                                let _e2342 = phi_2526_;
+                                                                                phi_2527_ = true;
+                                                                                phi_2528_ = _e2342;
                                                                             } else {
-                                                                                phi_2526_ = true;
-                                                                                phi_2527_ = false;
-                                                                                phi_2528_ = false;
+                                                                                phi_2527_ = _e1876;
+                                                                                phi_2528_ = true;
                                                                             }
-                                                                            let _e2342 = phi_2526_;
                                                                             let _e2344 = phi_2527_;
                                                                             let _e2346 = phi_2528_;
-                                                                            phi_2529_ = _e2342;
-                                                                            phi_2530_ = _e2344;
-                                                                            phi_2531_ = _e2346;
+                                                                            phi_2529_ = _e2344;
+                                                                            phi_2530_ = _e2346;
                                                                         } else {
-                                                                            phi_2529_ = true;
-                                                                            phi_2530_ = false;
-                                                                            phi_2531_ = false;
+                                                                            phi_2529_ = _e1876;
+                                                                            phi_2530_ = true;
                                                                         }
                                                                         let _e2348 = phi_2529_;
                                                                         let _e2350 = phi_2530_;
-                                                                        let _e2352 = phi_2531_;
-                                                                        phi_2532_ = _e2348;
-                                                                        phi_2533_ = _e2350;
-                                                                        phi_2534_ = _e2352;
+                                                                        phi_2531_ = _e2348;
+                                                                        phi_2532_ = _e2350;
                                                                     } else {
+                                                                        phi_2531_ = _e1876;
                                                                         phi_2532_ = true;
-                                                                        phi_2533_ = false;
-                                                                        phi_2534_ = false;
                                                                     }
+                                                                    let _e2352 = phi_2531_;
                                                                     let _e2354 = phi_2532_;
-                                                                    let _e2356 = phi_2533_;
-                                                                    let _e2358 = phi_2534_;
                                                                     if _e2354 {
-                                                                        phi_2538_ = false;
-                                                                        phi_2539_ = false;
-                                                                    } else {
-                                                                        phi_2538_ = _e2356;
-                                                                        phi_2539_ = _e2358;
                                                                     }
-                                                                    let _e2360 = phi_2538_;
-                                                                    let _e2362 = phi_2539_;
-                                                                    phi_1930_ = (_e1868 & (_e1868 - 1u));
-                                                                    phi_2540_ = _e2354;
-                                                                    phi_2541_ = _e2360;
-                                                                    phi_2542_ = _e2362;
+                                                                    phi_1936_ = (_e1874 & (_e1874 - 1u));
+                                                                    phi_1939_ = _e2352;
+                                                                    phi_2536_ = _e2354;
                                                                 }
-                                                                let _e2364 = phi_1930_;
-                                                                let _e2366 = phi_2540_;
-                                                                let _e2368 = phi_2541_;
-                                                                let _e2370 = phi_2542_;
-                                                                local_12 = _e2368;
-                                                                local_13 = _e2370;
+                                                                let _e2356 = phi_1936_;
+                                                                let _e2358 = phi_1939_;
+                                                                let _e2360 = phi_2536_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1929_ = _e2364;
-                                                                    break if !(_e2366);
+                                                                    phi_1935_ = _e2356;
+                                                                    phi_1938_ = _e2358;
+                                                                    break if !(_e2360);
                                                                 }
                                                             }
-                                                            let _e2373 = local_8;
-                                                            if _e2373 {
-                                                                let _e2375 = local.group_mask;
-                                                                if ((_e2375 & 4278190080u) == 0u) {
-                                                                    let _e2379 = local.len;
-                                                                    if (_e2379 == 0u) {
-                                                                        phi_2584_ = false;
+                                                            let _e2363 = local_8;
+                                                            if _e2363 {
+                                                                let _e2365 = local.group_mask;
+                                                                if ((_e2365 & 4278190080u) == 0u) {
+                                                                    let _e2369 = local.len;
+                                                                    if (_e2369 == 0u) {
+                                                                        phi_2578_ = false;
                                                                     } else {
-                                                                        let _e2383 = local.len;
-                                                                        local.len = (_e2383 - 1u);
-                                                                        let _e2386 = local.len;
-                                                                        if (_e2386 < 32u) {
+                                                                        let _e2373 = local.len;
+                                                                        local.len = (_e2373 - 1u);
+                                                                        let _e2376 = local.len;
+                                                                        if (_e2376 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2391 = local.first[(0u + _e2386)];
-                                                                        local.group = _e2391;
-                                                                        let _e2394 = local.len;
-                                                                        if (_e2394 < 32u) {
+                                                                        let _e2381 = local.first[(0u + _e2376)];
+                                                                        local.group = _e2381;
+                                                                        let _e2384 = local.len;
+                                                                        if (_e2384 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2399 = local.mask[(0u + _e2394)];
-                                                                        local.group_mask = _e2399;
-                                                                        phi_2584_ = true;
+                                                                        let _e2389 = local.mask[(0u + _e2384)];
+                                                                        local.group_mask = _e2389;
+                                                                        phi_2578_ = true;
                                                                     }
-                                                                    let _e2402 = phi_2584_;
-                                                                    phi_2585_ = _e2402;
+                                                                    let _e2392 = phi_2578_;
+                                                                    phi_2579_ = _e2392;
                                                                 } else {
-                                                                    phi_2585_ = true;
+                                                                    phi_2579_ = true;
                                                                 }
-                                                                let _e2404 = phi_2585_;
-                                                                if _e2404 {
+                                                                let _e2394 = phi_2579_;
+                                                                if _e2394 {
+                                                                    let _e2396 = local.group_mask;
+                                                                    let _e2402 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2396)), 32u, (_e2396 == 0u)));
                                                                     let _e2406 = local.group_mask;
-                                                                    let _e2412 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2406)), 32u, (_e2406 == 0u)));
-                                                                    let _e2416 = local.group_mask;
-                                                                    let _e2430 = local.group_mask;
-                                                                    local.group_mask = (_e2430 & ~((1u << bitcast<u32>((_e2412 & 31u)))));
-                                                                    let _e2433 = local.group;
-                                                                    phi_2616_ = (_e2433 + countOneBits(((_e2416 & ~((4294967295u << bitcast<u32>((((_e2412 - 24u) ^ _e1294) & 31u))))) & 255u)));
+                                                                    let _e2420 = local.group_mask;
+                                                                    local.group_mask = (_e2420 & ~((1u << bitcast<u32>((_e2402 & 31u)))));
+                                                                    let _e2423 = local.group;
+                                                                    phi_2610_ = (_e2423 + countOneBits(((_e2406 & ~((4294967295u << bitcast<u32>((((_e2402 - 24u) ^ _e1298) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_2616_ = 4294967295u;
+                                                                    phi_2610_ = 4294967295u;
                                                                 }
-                                                                let _e2436 = phi_2616_;
-                                                                phi_2617_ = _e2436;
-                                                                phi_2618_ = false;
-                                                                phi_2619_ = false;
+                                                                let _e2426 = phi_2610_;
+                                                                phi_2611_ = _e2426;
                                                             } else {
-                                                                phi_2617_ = u32();
-                                                                let _e2819 = local_12;
-                                                                phi_2618_ = _e2819;
-                                                                let _e2822 = local_13;
-                                                                phi_2619_ = _e2822;
+                                                                phi_2611_ = u32();
                                                             }
-                                                            let _e2438 = phi_2617_;
-                                                            let _e2440 = phi_2618_;
-                                                            let _e2442 = phi_2619_;
-                                                            phi_1600_ = _e2438;
-                                                            let _e2826 = local_14;
-                                                            phi_2620_ = _e2826;
-                                                            phi_2621_ = false;
-                                                            phi_2622_ = _e2440;
-                                                            phi_2623_ = _e2442;
+                                                            let _e2428 = phi_2611_;
+                                                            phi_1604_ = _e2428;
+                                                            let _e2808 = local_12;
+                                                            phi_1607_ = _e2808;
+                                                            let _e2811 = local_13;
+                                                            phi_2612_ = _e2811;
+                                                            phi_2613_ = false;
                                                         } else {
-                                                            phi_1600_ = u32();
-                                                            phi_2620_ = false;
-                                                            phi_2621_ = true;
-                                                            phi_2622_ = false;
-                                                            phi_2623_ = false;
+                                                            phi_1604_ = u32();
+                                                            phi_1607_ = bool();
+                                                            phi_2612_ = false;
+                                                            phi_2613_ = true;
                                                         }
-                                                        let _e2444 = phi_1600_;
-                                                        let _e2446 = phi_2620_;
-                                                        let _e2448 = phi_2621_;
-                                                        let _e2450 = phi_2622_;
-                                                        let _e2452 = phi_2623_;
-                                                        local_9 = _e2448;
-                                                        local_15 = _e2450;
-                                                        local_16 = _e2452;
+                                                        let _e2430 = phi_1604_;
+                                                        let _e2432 = phi_1607_;
+                                                        let _e2434 = phi_2612_;
+                                                        let _e2436 = phi_2613_;
+                                                        local_9 = _e2436;
                                                         continue;
                                                         continuing {
-                                                            phi_1599_ = _e2444;
-                                                            break if !(_e2446);
+                                                            phi_1603_ = _e2430;
+                                                            phi_1606_ = _e2432;
+                                                            break if !(_e2434);
                                                         }
                                                     }
-                                                    let _e2455 = local_9;
-                                                    if _e2455 {
-                                                        phi_2627_ = false;
-                                                        phi_2628_ = false;
+                                                    let _e2439 = local_9;
+                                                    if _e2439 {
+                                                        phi_2617_ = false;
                                                     } else {
-                                                        let _e2833 = local_15;
-                                                        phi_2627_ = _e2833;
-                                                        let _e2836 = local_16;
-                                                        phi_2628_ = _e2836;
+                                                        phi_2617_ = true;
                                                     }
-                                                    let _e2457 = phi_2627_;
-                                                    let _e2459 = phi_2628_;
-                                                    if _e2457 {
-                                                        phi_2632_ = true;
+                                                    let _e2441 = phi_2617_;
+                                                    if _e2441 {
+                                                        phi_2621_ = true;
                                                     } else {
-                                                        phi_2632_ = _e2459;
+                                                        let _e2817 = local_14;
+                                                        phi_2621_ = _e2817;
                                                     }
-                                                    let _e2461 = phi_2632_;
-                                                    if _e2461 {
-                                                        phi_2636_ = true;
-                                                    } else {
-                                                        phi_2636_ = false;
-                                                    }
-                                                    let _e2463 = phi_2636_;
-                                                    phi_2637_ = _e2463;
+                                                    let _e2443 = phi_2621_;
+                                                    phi_2622_ = _e2443;
                                                 }
-                                                let _e2465 = phi_2637_;
-                                                phi_2638_ = _e2465;
-                                                phi_2639_ = _e1120;
+                                                let _e2445 = phi_2622_;
+                                                phi_2623_ = _e2445;
+                                                phi_2624_ = _e1124;
                                             } else {
-                                                phi_2638_ = bool();
-                                                phi_2639_ = true;
+                                                phi_2623_ = bool();
+                                                phi_2624_ = true;
                                             }
-                                            let _e2467 = phi_2638_;
-                                            let _e2469 = phi_2639_;
-                                            if _e2469 {
-                                                phi_2643_ = false;
+                                            let _e2447 = phi_2623_;
+                                            let _e2449 = phi_2624_;
+                                            if _e2449 {
+                                                phi_2628_ = _e911;
                                             } else {
-                                                phi_2643_ = _e2467;
+                                                phi_2628_ = _e2447;
                                             }
-                                            let _e2471 = phi_2643_;
-                                            if _e2471 {
-                                                phi_2647_ = false;
+                                            let _e2451 = phi_2628_;
+                                            if _e2451 {
+                                                phi_2632_ = false;
                                             } else {
-                                                phi_2647_ = true;
+                                                phi_2632_ = true;
                                             }
-                                            let _e2473 = phi_2647_;
-                                            phi_2648_ = _e2473;
+                                            let _e2453 = phi_2632_;
+                                            phi_2633_ = _e2451;
+                                            phi_2634_ = _e2453;
                                         } else {
-                                            phi_2648_ = true;
+                                            phi_2633_ = _e911;
+                                            phi_2634_ = true;
                                         }
-                                        let _e2475 = phi_2648_;
-                                        phi_2649_ = _e2475;
+                                        let _e2455 = phi_2633_;
+                                        let _e2457 = phi_2634_;
+                                        phi_2635_ = _e2455;
+                                        phi_2636_ = _e2457;
                                     } else {
-                                        phi_2649_ = true;
+                                        phi_2635_ = _e911;
+                                        phi_2636_ = true;
                                     }
-                                    let _e2477 = phi_2649_;
-                                    phi_2650_ = _e2477;
+                                    let _e2459 = phi_2635_;
+                                    let _e2461 = phi_2636_;
+                                    phi_2637_ = _e2459;
+                                    phi_2638_ = _e2461;
                                 } else {
-                                    phi_2650_ = true;
+                                    phi_2637_ = _e911;
+                                    phi_2638_ = true;
                                 }
-                                let _e2479 = phi_2650_;
-                                if _e2479 {
+                                let _e2463 = phi_2637_;
+                                let _e2465 = phi_2638_;
+                                if _e2465 {
                                 }
-                                phi_994_ = (_e907 & (_e907 - 1u));
-                                phi_2654_ = _e2479;
+                                phi_996_ = (_e909 & (_e909 - 1u));
+                                phi_999_ = _e2463;
+                                phi_2642_ = _e2465;
                             }
-                            let _e2481 = phi_994_;
-                            let _e2483 = phi_2654_;
+                            let _e2467 = phi_996_;
+                            let _e2469 = phi_999_;
+                            let _e2471 = phi_2642_;
                             continue;
                             continuing {
-                                phi_993_ = _e2481;
-                                break if !(_e2483);
+                                phi_995_ = _e2467;
+                                phi_998_ = _e2469;
+                                break if !(_e2471);
                             }
                         }
-                        let _e2486 = local_10;
-                        if _e2486 {
-                            let _e2488 = local_1.group_mask;
-                            if ((_e2488 & 4278190080u) == 0u) {
-                                let _e2492 = local_1.len;
-                                if (_e2492 == 0u) {
-                                    phi_2696_ = false;
+                        let _e2474 = local_10;
+                        if _e2474 {
+                            let _e2476 = local_1.group_mask;
+                            if ((_e2476 & 4278190080u) == 0u) {
+                                let _e2480 = local_1.len;
+                                if (_e2480 == 0u) {
+                                    phi_2684_ = false;
                                 } else {
-                                    let _e2496 = local_1.len;
-                                    local_1.len = (_e2496 - 1u);
-                                    let _e2499 = local_1.len;
-                                    if (_e2499 < 32u) {
+                                    let _e2484 = local_1.len;
+                                    local_1.len = (_e2484 - 1u);
+                                    let _e2487 = local_1.len;
+                                    if (_e2487 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2504 = local_1.first[(0u + _e2499)];
-                                    local_1.group = _e2504;
-                                    let _e2507 = local_1.len;
-                                    if (_e2507 < 32u) {
+                                    let _e2492 = local_1.first[(0u + _e2487)];
+                                    local_1.group = _e2492;
+                                    let _e2495 = local_1.len;
+                                    if (_e2495 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2512 = local_1.mask[(0u + _e2507)];
-                                    local_1.group_mask = _e2512;
-                                    phi_2696_ = true;
+                                    let _e2500 = local_1.mask[(0u + _e2495)];
+                                    local_1.group_mask = _e2500;
+                                    phi_2684_ = true;
                                 }
-                                let _e2515 = phi_2696_;
-                                phi_2697_ = _e2515;
+                                let _e2503 = phi_2684_;
+                                phi_2685_ = _e2503;
                             } else {
-                                phi_2697_ = true;
+                                phi_2685_ = true;
                             }
-                            let _e2517 = phi_2697_;
-                            if _e2517 {
-                                let _e2519 = local_1.group_mask;
-                                let _e2525 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2519)), 32u, (_e2519 == 0u)));
-                                let _e2529 = local_1.group_mask;
-                                let _e2543 = local_1.group_mask;
-                                local_1.group_mask = (_e2543 & ~((1u << bitcast<u32>((_e2525 & 31u)))));
-                                let _e2546 = local_1.group;
-                                phi_2728_ = (_e2546 + countOneBits(((_e2529 & ~((4294967295u << bitcast<u32>((((_e2525 - 24u) ^ _e333) & 31u))))) & 255u)));
+                            let _e2505 = phi_2685_;
+                            if _e2505 {
+                                let _e2507 = local_1.group_mask;
+                                let _e2513 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2507)), 32u, (_e2507 == 0u)));
+                                let _e2517 = local_1.group_mask;
+                                let _e2531 = local_1.group_mask;
+                                local_1.group_mask = (_e2531 & ~((1u << bitcast<u32>((_e2513 & 31u)))));
+                                let _e2534 = local_1.group;
+                                phi_2716_ = (_e2534 + countOneBits(((_e2517 & ~((4294967295u << bitcast<u32>((((_e2513 - 24u) ^ _e333) & 31u))))) & 255u)));
                             } else {
-                                phi_2728_ = 4294967295u;
+                                phi_2716_ = 4294967295u;
                             }
-                            let _e2549 = phi_2728_;
-                            phi_2729_ = _e2549;
+                            let _e2537 = phi_2716_;
+                            phi_2717_ = _e2537;
                         } else {
-                            phi_2729_ = u32();
+                            phi_2717_ = u32();
                         }
-                        let _e2551 = phi_2729_;
-                        phi_664_ = _e2551;
-                        let _e2857 = local_17;
-                        phi_2730_ = _e2857;
-                        phi_2731_ = false;
+                        let _e2539 = phi_2717_;
+                        phi_664_ = _e2539;
+                        let _e2840 = local_15;
+                        phi_667_ = _e2840;
+                        let _e2843 = local_16;
+                        phi_2718_ = _e2843;
+                        phi_2719_ = false;
                     } else {
                         phi_664_ = u32();
-                        phi_2730_ = false;
-                        phi_2731_ = true;
+                        phi_667_ = bool();
+                        phi_2718_ = false;
+                        phi_2719_ = true;
                     }
-                    let _e2553 = phi_664_;
-                    let _e2555 = phi_2730_;
-                    let _e2557 = phi_2731_;
-                    local_11 = _e2557;
+                    let _e2541 = phi_664_;
+                    let _e2543 = phi_667_;
+                    let _e2545 = phi_2718_;
+                    let _e2547 = phi_2719_;
+                    local_11 = _e2547;
                     continue;
                     continuing {
-                        phi_663_ = _e2553;
-                        break if !(_e2555);
+                        phi_663_ = _e2541;
+                        phi_666_ = _e2543;
+                        break if !(_e2545);
                     }
                 }
-                let _e2560 = local_11;
-                if _e2560 {
-                    phi_2735_ = false;
+                let _e2550 = local_11;
+                if _e2550 {
+                    phi_2723_ = false;
                 } else {
-                    phi_2735_ = true;
+                    phi_2723_ = true;
                 }
-                let _e2562 = phi_2735_;
-                if _e2562 {
-                    phi_2739_ = true;
-                } else {
-                    phi_2739_ = false;
+                let _e2552 = phi_2723_;
+                if _e2552 {
                 }
-                let _e2564 = phi_2739_;
-                phi_2740_ = _e2564;
+                phi_2727_ = _e2552;
             }
-            let _e2566 = phi_2740_;
-            phi_2741_ = _e2566;
-            phi_2742_ = _e189;
+            let _e2554 = phi_2727_;
+            phi_2728_ = _e189;
+            phi_2729_ = _e2554;
         } else {
-            phi_2741_ = bool();
-            phi_2742_ = true;
+            phi_2728_ = true;
+            phi_2729_ = false;
         }
-        let _e2568 = phi_2741_;
-        let _e2570 = phi_2742_;
-        if _e2570 {
-            phi_2746_ = false;
+        let _e2556 = phi_2728_;
+        let _e2558 = phi_2729_;
+        if _e2556 {
+            phi_2733_ = false;
+            phi_2734_ = true;
         } else {
-            phi_2746_ = _e2568;
+            phi_2733_ = true;
+            phi_2734_ = _e2558;
         }
-        let _e2572 = phi_2746_;
-        if _e2572 {
-            phi_2750_ = 0f;
+        let _e2560 = phi_2733_;
+        let _e2562 = phi_2734_;
+        if _e2562 {
+            phi_2738_ = _e2560;
         } else {
-            phi_2750_ = 1f;
+            phi_2738_ = false;
         }
-        let _e2574 = phi_2750_;
+        let _e2564 = phi_2738_;
+        if _e2564 {
+            phi_2742_ = 0f;
+        } else {
+            phi_2742_ = 1f;
+        }
+        let _e2566 = phi_2742_;
         if (_e85 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e85)] = _e2574;
+        visibility.member[(0u + _e85)] = _e2566;
     }
     return;
 }

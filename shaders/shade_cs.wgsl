@@ -107,37 +107,38 @@ fn function_() {
     var phi_261_: bool;
     var phi_262_: bool;
     var phi_266_: bool;
+    var phi_360_: f32;
     var phi_361_: f32;
     var phi_362_: f32;
-    var phi_363_: f32;
-    var phi_366_: f32;
-    var phi_368_: f32;
-    var phi_499_: f32;
-    var phi_500_: f32;
-    var phi_520_: f32;
-    var phi_521_: f32;
-    var phi_530_: f32;
+    var phi_365_: f32;
+    var phi_367_: f32;
+    var phi_384_: vec3<f32>;
+    var phi_510_: f32;
+    var phi_511_: f32;
     var phi_531_: f32;
-    var phi_551_: f32;
-    var phi_552_: f32;
-    var phi_561_: f32;
+    var phi_532_: f32;
+    var phi_541_: f32;
+    var phi_542_: f32;
     var phi_562_: f32;
-    var phi_582_: f32;
-    var phi_583_: f32;
-    var phi_620_: f32;
-    var phi_649_: f32;
-    var phi_650_: f32;
-    var phi_670_: f32;
-    var phi_671_: f32;
-    var phi_680_: f32;
+    var phi_563_: f32;
+    var phi_572_: f32;
+    var phi_573_: f32;
+    var phi_593_: f32;
+    var phi_594_: f32;
+    var phi_631_: f32;
+    var phi_660_: f32;
+    var phi_661_: f32;
     var phi_681_: f32;
-    var phi_701_: f32;
-    var phi_702_: f32;
-    var phi_711_: f32;
+    var phi_682_: f32;
+    var phi_691_: f32;
+    var phi_692_: f32;
     var phi_712_: f32;
-    var phi_732_: f32;
-    var phi_733_: f32;
-    var phi_766_: u32;
+    var phi_713_: f32;
+    var phi_722_: f32;
+    var phi_723_: f32;
+    var phi_743_: f32;
+    var phi_744_: f32;
+    var phi_777_: u32;
 
     let _e49 = id_1;
     let _e63 = p.member.camera.size[0u];
@@ -206,247 +207,253 @@ fn function_() {
             let _e191 = (1f / sqrt((((_e182 * _e182) + (_e183 * _e183)) + (_e184 * _e184))));
             let _e202 = (((_e164.x * (_e182 * _e191)) + (_e164.y * (_e183 * _e191))) + (_e164.z * (_e184 * _e191)));
             if (_e202 > 0f) {
-                let _e208 = p.member.light.place[3u];
-                if (_e208 == 0f) {
-                    phi_366_ = 1f;
+                let _e207 = p.member.light.place[3u];
+                if (_e207 == 0f) {
+                    phi_365_ = 1f;
                 } else {
-                    let _e214 = (((_e182 * _e182) + (_e183 * _e183)) + (_e184 * _e184));
-                    let _e216 = p.member.light.axis;
-                    let _e229 = p.member.light.cos_inner;
-                    let _e231 = p.member.light.cos_outer;
-                    let _e232 = (_e229 - _e231);
-                    if (_e232 > 0f) {
-                        let _e235 = p.member.light.cos_outer;
-                        let _e237 = (((-((((_e182 * _e216.x) + (_e183 * _e216.y)) + (_e184 * _e216.z))) / sqrt(_e214)) - _e235) / _e232);
-                        if (_e237 > 0f) {
-                            if (_e237 < 1f) {
-                                phi_361_ = _e237;
+                    let _e213 = (((_e182 * _e182) + (_e183 * _e183)) + (_e184 * _e184));
+                    let _e215 = p.member.light.axis;
+                    let _e228 = p.member.light.cos_inner;
+                    let _e230 = p.member.light.cos_outer;
+                    let _e231 = (_e228 - _e230);
+                    if (_e231 > 0f) {
+                        let _e234 = p.member.light.cos_outer;
+                        let _e236 = (((-((((_e182 * _e215.x) + (_e183 * _e215.y)) + (_e184 * _e215.z))) / sqrt(_e213)) - _e234) / _e231);
+                        if (_e236 > 0f) {
+                            if (_e236 < 1f) {
+                                phi_360_ = _e236;
                             } else {
-                                phi_361_ = 1f;
+                                phi_360_ = 1f;
                             }
-                            let _e241 = phi_361_;
-                            phi_362_ = _e241;
+                            let _e240 = phi_360_;
+                            phi_361_ = _e240;
                         } else {
-                            phi_362_ = 0f;
+                            phi_361_ = 0f;
                         }
-                        let _e243 = phi_362_;
-                        phi_363_ = _e243;
+                        let _e242 = phi_361_;
+                        phi_362_ = _e242;
                     } else {
-                        phi_363_ = 1f;
+                        phi_362_ = 1f;
                     }
-                    let _e245 = phi_363_;
-                    phi_366_ = ((_e245 * _e245) / _e214);
+                    let _e244 = phi_362_;
+                    phi_365_ = ((_e244 * _e244) / _e213);
                 }
-                let _e249 = phi_366_;
-                phi_368_ = ((_e202 * _e79) * _e249);
+                let _e248 = phi_365_;
+                phi_367_ = (_e202 * _e248);
             } else {
-                phi_368_ = 0f;
+                phi_367_ = 0f;
             }
-            let _e252 = phi_368_;
-            let _e254 = p.member.light_color;
-            let _e263 = (0.5f + (0.5f * _e164.y));
-            let _e264 = (1f - 0.4f);
-            let _e283 = (1f - _e263);
-            let _e309 = (0.8f + (0.2f * abs((((_e164.x * -((_e123 * _e132))) + (_e164.y * -(_e134))) + (_e164.z * -((_e125 * _e132)))))));
-            let _e311 = samples.member[(0u + _e66.first_primitive)].albedo;
-            let _e322 = (1f / 255f);
-            let _e323 = (f32((_e311 & 255u)) * _e322);
-            let _e324 = (f32(((_e311 >> bitcast<u32>(8i)) & 255u)) * _e322);
-            let _e325 = (f32(((_e311 >> bitcast<u32>(16i)) & 255u)) * _e322);
-            let _e339 = samples.member[(0u + _e66.first_primitive)].position;
-            let _e342 = p.member.camera.eye;
-            let _e345 = (_e339.x - _e342.x);
-            let _e348 = (_e339.y - _e342.y);
-            let _e351 = (_e339.z - _e342.z);
-            let _e360 = p.member.light_color[3u];
-            let _e364 = (1f - (1f / (1f + (sqrt((((_e345 * _e345) + (_e348 * _e348)) + (_e351 * _e351))) * _e360))));
-            let _e365 = (1f - _e364);
-            let _e375 = ((((_e323 * _e323) * ((_e254.x * _e252) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e264) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e263) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e283)) * 0.42f) * _e309))) * _e365) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e364));
-            let _e376 = ((((_e324 * _e324) * ((_e254.y * _e252) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e264) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e263) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e283)) * 0.42f) * _e309))) * _e365) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e364));
-            let _e377 = ((((_e325 * _e325) * ((_e254.z * _e252) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e264) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e263) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e283)) * 0.42f) * _e309))) * _e365) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e364));
-            if (_e375 > 0f) {
-                if (_e375 < 1f) {
-                    phi_499_ = _e375;
+            let _e251 = phi_367_;
+            if (_e251 > 0f) {
+                let _e254 = p.member.light_color;
+                phi_384_ = vec3<f32>((_e254.x * (_e79 * _e251)), (_e254.y * (_e79 * _e251)), (_e254.z * (_e79 * _e251)));
+            } else {
+                phi_384_ = vec3<f32>(0f, 0f, 0f);
+            }
+            let _e266 = phi_384_;
+            let _e269 = (0.5f + (0.5f * _e164.y));
+            let _e270 = (1f - 0.4f);
+            let _e289 = (1f - _e269);
+            let _e315 = (0.8f + (0.2f * abs((((_e164.x * -((_e123 * _e132))) + (_e164.y * -(_e134))) + (_e164.z * -((_e125 * _e132)))))));
+            let _e317 = samples.member[(0u + _e66.first_primitive)].albedo;
+            let _e328 = (1f / 255f);
+            let _e329 = (f32((_e317 & 255u)) * _e328);
+            let _e330 = (f32(((_e317 >> bitcast<u32>(8i)) & 255u)) * _e328);
+            let _e331 = (f32(((_e317 >> bitcast<u32>(16i)) & 255u)) * _e328);
+            let _e348 = samples.member[(0u + _e66.first_primitive)].position;
+            let _e351 = p.member.camera.eye;
+            let _e354 = (_e348.x - _e351.x);
+            let _e357 = (_e348.y - _e351.y);
+            let _e360 = (_e348.z - _e351.z);
+            let _e369 = p.member.light_color[3u];
+            let _e373 = (1f - (1f / (1f + (sqrt((((_e354 * _e354) + (_e357 * _e357)) + (_e360 * _e360))) * _e369))));
+            let _e374 = (1f - _e373);
+            let _e384 = ((((_e329 * _e329) * (_e266.x + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e270) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e269) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e289)) * 0.42f) * _e315))) * _e374) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e373));
+            let _e385 = ((((_e330 * _e330) * (_e266.y + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e270) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e269) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e289)) * 0.42f) * _e315))) * _e374) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e373));
+            let _e386 = ((((_e331 * _e331) * (_e266.z + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e270) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e269) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e289)) * 0.42f) * _e315))) * _e374) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e373));
+            if (_e384 > 0f) {
+                if (_e384 < 1f) {
+                    phi_510_ = _e384;
                 } else {
-                    phi_499_ = 1f;
+                    phi_510_ = 1f;
                 }
-                let _e381 = phi_499_;
-                phi_500_ = _e381;
+                let _e390 = phi_510_;
+                phi_511_ = _e390;
             } else {
-                phi_500_ = 0f;
+                phi_511_ = 0f;
             }
-            let _e383 = phi_500_;
-            let _e386 = sqrt(sqrt(_e383));
-            let _e394 = ((((0.6620027f * sqrt(_e383)) + (0.6841221f * _e386)) - (0.3235836f * sqrt(_e386))) - (0.022541147f * _e383));
-            if (_e394 > 0f) {
-                if (_e394 < 1f) {
-                    phi_520_ = _e394;
+            let _e392 = phi_511_;
+            let _e395 = sqrt(sqrt(_e392));
+            let _e403 = ((((0.6620027f * sqrt(_e392)) + (0.6841221f * _e395)) - (0.3235836f * sqrt(_e395))) - (0.022541147f * _e392));
+            if (_e403 > 0f) {
+                if (_e403 < 1f) {
+                    phi_531_ = _e403;
                 } else {
-                    phi_520_ = 1f;
+                    phi_531_ = 1f;
                 }
-                let _e398 = phi_520_;
-                phi_521_ = _e398;
+                let _e407 = phi_531_;
+                phi_532_ = _e407;
             } else {
-                phi_521_ = 0f;
+                phi_532_ = 0f;
             }
-            let _e400 = phi_521_;
-            if (_e376 > 0f) {
-                if (_e376 < 1f) {
-                    phi_530_ = _e376;
+            let _e409 = phi_532_;
+            if (_e385 > 0f) {
+                if (_e385 < 1f) {
+                    phi_541_ = _e385;
                 } else {
-                    phi_530_ = 1f;
+                    phi_541_ = 1f;
                 }
-                let _e404 = phi_530_;
-                phi_531_ = _e404;
+                let _e413 = phi_541_;
+                phi_542_ = _e413;
             } else {
-                phi_531_ = 0f;
+                phi_542_ = 0f;
             }
-            let _e406 = phi_531_;
-            let _e409 = sqrt(sqrt(_e406));
-            let _e417 = ((((0.6620027f * sqrt(_e406)) + (0.6841221f * _e409)) - (0.3235836f * sqrt(_e409))) - (0.022541147f * _e406));
-            if (_e417 > 0f) {
-                if (_e417 < 1f) {
-                    phi_551_ = _e417;
+            let _e415 = phi_542_;
+            let _e418 = sqrt(sqrt(_e415));
+            let _e426 = ((((0.6620027f * sqrt(_e415)) + (0.6841221f * _e418)) - (0.3235836f * sqrt(_e418))) - (0.022541147f * _e415));
+            if (_e426 > 0f) {
+                if (_e426 < 1f) {
+                    phi_562_ = _e426;
                 } else {
-                    phi_551_ = 1f;
+                    phi_562_ = 1f;
                 }
-                let _e421 = phi_551_;
-                phi_552_ = _e421;
+                let _e430 = phi_562_;
+                phi_563_ = _e430;
             } else {
-                phi_552_ = 0f;
+                phi_563_ = 0f;
             }
-            let _e423 = phi_552_;
-            if (_e377 > 0f) {
-                if (_e377 < 1f) {
-                    phi_561_ = _e377;
+            let _e432 = phi_563_;
+            if (_e386 > 0f) {
+                if (_e386 < 1f) {
+                    phi_572_ = _e386;
                 } else {
-                    phi_561_ = 1f;
+                    phi_572_ = 1f;
                 }
-                let _e427 = phi_561_;
-                phi_562_ = _e427;
+                let _e436 = phi_572_;
+                phi_573_ = _e436;
             } else {
-                phi_562_ = 0f;
+                phi_573_ = 0f;
             }
-            let _e429 = phi_562_;
-            let _e432 = sqrt(sqrt(_e429));
-            let _e440 = ((((0.6620027f * sqrt(_e429)) + (0.6841221f * _e432)) - (0.3235836f * sqrt(_e432))) - (0.022541147f * _e429));
-            if (_e440 > 0f) {
-                if (_e440 < 1f) {
-                    phi_582_ = _e440;
+            let _e438 = phi_573_;
+            let _e441 = sqrt(sqrt(_e438));
+            let _e449 = ((((0.6620027f * sqrt(_e438)) + (0.6841221f * _e441)) - (0.3235836f * sqrt(_e441))) - (0.022541147f * _e438));
+            if (_e449 > 0f) {
+                if (_e449 < 1f) {
+                    phi_593_ = _e449;
                 } else {
-                    phi_582_ = 1f;
+                    phi_593_ = 1f;
                 }
-                let _e444 = phi_582_;
-                phi_583_ = _e444;
+                let _e453 = phi_593_;
+                phi_594_ = _e453;
             } else {
-                phi_583_ = 0f;
+                phi_594_ = 0f;
             }
-            let _e446 = phi_583_;
-            let _e448 = ((_e400 * 255f) + 0.5f);
-            let _e457 = ((_e423 * 255f) + 0.5f);
-            let _e469 = ((_e446 * 255f) + 0.5f);
-            phi_766_ = (((select(select(u32(_e448), 0u, (_e448 < bitcast<f32>(0u))), 4294967295u, (_e448 > bitcast<f32>(1333788671u))) | (select(select(u32(_e457), 0u, (_e457 < bitcast<f32>(0u))), 4294967295u, (_e457 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e469), 0u, (_e469 < bitcast<f32>(0u))), 4294967295u, (_e469 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e455 = phi_594_;
+            let _e457 = ((_e409 * 255f) + 0.5f);
+            let _e466 = ((_e432 * 255f) + 0.5f);
+            let _e478 = ((_e455 * 255f) + 0.5f);
+            phi_777_ = (((select(select(u32(_e457), 0u, (_e457 < bitcast<f32>(0u))), 4294967295u, (_e457 > bitcast<f32>(1333788671u))) | (select(select(u32(_e466), 0u, (_e466 < bitcast<f32>(0u))), 4294967295u, (_e466 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e478), 0u, (_e478 < bitcast<f32>(0u))), 4294967295u, (_e478 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         } else {
             if (_e134 > 0f) {
-                phi_620_ = _e134;
+                phi_631_ = _e134;
             } else {
-                phi_620_ = 0f;
+                phi_631_ = 0f;
             }
-            let _e483 = phi_620_;
-            let _e487 = (1f - ((1f - _e483) * (1f - _e483)));
-            let _e488 = (1f - _e487);
-            let _e501 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e488) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e487));
-            let _e502 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e488) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e487));
-            let _e503 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e488) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e487));
-            if (_e501 > 0f) {
-                if (_e501 < 1f) {
-                    phi_649_ = _e501;
+            let _e492 = phi_631_;
+            let _e496 = (1f - ((1f - _e492) * (1f - _e492)));
+            let _e497 = (1f - _e496);
+            let _e510 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e497) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e496));
+            let _e511 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e497) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e496));
+            let _e512 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e497) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e496));
+            if (_e510 > 0f) {
+                if (_e510 < 1f) {
+                    phi_660_ = _e510;
                 } else {
-                    phi_649_ = 1f;
+                    phi_660_ = 1f;
                 }
-                let _e507 = phi_649_;
-                phi_650_ = _e507;
+                let _e516 = phi_660_;
+                phi_661_ = _e516;
             } else {
-                phi_650_ = 0f;
+                phi_661_ = 0f;
             }
-            let _e509 = phi_650_;
-            let _e512 = sqrt(sqrt(_e509));
-            let _e520 = ((((0.6620027f * sqrt(_e509)) + (0.6841221f * _e512)) - (0.3235836f * sqrt(_e512))) - (0.022541147f * _e509));
-            if (_e520 > 0f) {
-                if (_e520 < 1f) {
-                    phi_670_ = _e520;
+            let _e518 = phi_661_;
+            let _e521 = sqrt(sqrt(_e518));
+            let _e529 = ((((0.6620027f * sqrt(_e518)) + (0.6841221f * _e521)) - (0.3235836f * sqrt(_e521))) - (0.022541147f * _e518));
+            if (_e529 > 0f) {
+                if (_e529 < 1f) {
+                    phi_681_ = _e529;
                 } else {
-                    phi_670_ = 1f;
+                    phi_681_ = 1f;
                 }
-                let _e524 = phi_670_;
-                phi_671_ = _e524;
+                let _e533 = phi_681_;
+                phi_682_ = _e533;
             } else {
-                phi_671_ = 0f;
+                phi_682_ = 0f;
             }
-            let _e526 = phi_671_;
-            if (_e502 > 0f) {
-                if (_e502 < 1f) {
-                    phi_680_ = _e502;
+            let _e535 = phi_682_;
+            if (_e511 > 0f) {
+                if (_e511 < 1f) {
+                    phi_691_ = _e511;
                 } else {
-                    phi_680_ = 1f;
+                    phi_691_ = 1f;
                 }
-                let _e530 = phi_680_;
-                phi_681_ = _e530;
+                let _e539 = phi_691_;
+                phi_692_ = _e539;
             } else {
-                phi_681_ = 0f;
+                phi_692_ = 0f;
             }
-            let _e532 = phi_681_;
-            let _e535 = sqrt(sqrt(_e532));
-            let _e543 = ((((0.6620027f * sqrt(_e532)) + (0.6841221f * _e535)) - (0.3235836f * sqrt(_e535))) - (0.022541147f * _e532));
-            if (_e543 > 0f) {
-                if (_e543 < 1f) {
-                    phi_701_ = _e543;
+            let _e541 = phi_692_;
+            let _e544 = sqrt(sqrt(_e541));
+            let _e552 = ((((0.6620027f * sqrt(_e541)) + (0.6841221f * _e544)) - (0.3235836f * sqrt(_e544))) - (0.022541147f * _e541));
+            if (_e552 > 0f) {
+                if (_e552 < 1f) {
+                    phi_712_ = _e552;
                 } else {
-                    phi_701_ = 1f;
+                    phi_712_ = 1f;
                 }
-                let _e547 = phi_701_;
-                phi_702_ = _e547;
+                let _e556 = phi_712_;
+                phi_713_ = _e556;
             } else {
-                phi_702_ = 0f;
+                phi_713_ = 0f;
             }
-            let _e549 = phi_702_;
-            if (_e503 > 0f) {
-                if (_e503 < 1f) {
-                    phi_711_ = _e503;
+            let _e558 = phi_713_;
+            if (_e512 > 0f) {
+                if (_e512 < 1f) {
+                    phi_722_ = _e512;
                 } else {
-                    phi_711_ = 1f;
+                    phi_722_ = 1f;
                 }
-                let _e553 = phi_711_;
-                phi_712_ = _e553;
+                let _e562 = phi_722_;
+                phi_723_ = _e562;
             } else {
-                phi_712_ = 0f;
+                phi_723_ = 0f;
             }
-            let _e555 = phi_712_;
-            let _e558 = sqrt(sqrt(_e555));
-            let _e566 = ((((0.6620027f * sqrt(_e555)) + (0.6841221f * _e558)) - (0.3235836f * sqrt(_e558))) - (0.022541147f * _e555));
-            if (_e566 > 0f) {
-                if (_e566 < 1f) {
-                    phi_732_ = _e566;
+            let _e564 = phi_723_;
+            let _e567 = sqrt(sqrt(_e564));
+            let _e575 = ((((0.6620027f * sqrt(_e564)) + (0.6841221f * _e567)) - (0.3235836f * sqrt(_e567))) - (0.022541147f * _e564));
+            if (_e575 > 0f) {
+                if (_e575 < 1f) {
+                    phi_743_ = _e575;
                 } else {
-                    phi_732_ = 1f;
+                    phi_743_ = 1f;
                 }
-                let _e570 = phi_732_;
-                phi_733_ = _e570;
+                let _e579 = phi_743_;
+                phi_744_ = _e579;
             } else {
-                phi_733_ = 0f;
+                phi_744_ = 0f;
             }
-            let _e572 = phi_733_;
-            let _e574 = ((_e526 * 255f) + 0.5f);
-            let _e583 = ((_e549 * 255f) + 0.5f);
-            let _e595 = ((_e572 * 255f) + 0.5f);
-            phi_766_ = (((select(select(u32(_e574), 0u, (_e574 < bitcast<f32>(0u))), 4294967295u, (_e574 > bitcast<f32>(1333788671u))) | (select(select(u32(_e583), 0u, (_e583 < bitcast<f32>(0u))), 4294967295u, (_e583 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e595), 0u, (_e595 < bitcast<f32>(0u))), 4294967295u, (_e595 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e581 = phi_744_;
+            let _e583 = ((_e535 * 255f) + 0.5f);
+            let _e592 = ((_e558 * 255f) + 0.5f);
+            let _e604 = ((_e581 * 255f) + 0.5f);
+            phi_777_ = (((select(select(u32(_e583), 0u, (_e583 < bitcast<f32>(0u))), 4294967295u, (_e583 > bitcast<f32>(1333788671u))) | (select(select(u32(_e592), 0u, (_e592 < bitcast<f32>(0u))), 4294967295u, (_e592 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e604), 0u, (_e604 < bitcast<f32>(0u))), 4294967295u, (_e604 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         }
-        let _e608 = phi_766_;
+        let _e617 = phi_777_;
         if (_e66.first_primitive < arrayLength((&picture.member))) {
         } else {
             return;
         }
-        picture.member[(0u + _e66.first_primitive)] = _e608;
+        picture.member[(0u + _e66.first_primitive)] = _e617;
     }
     return;
 }

@@ -84,20 +84,6 @@ fn rays_answer_all_that_lies_on_no_level() {
     assert_eq!(truth.visibility, near.visibility);
 }
 
-#[test]
-fn a_fading_end_goes_over_to_light_without_a_step() {
-    let (scene, setup) = plain(true, Vec3::NEG_Y);
-    let width = setup.size.x as usize;
-    let mut session = Session::new(&scene, setup, BackendKind::Cpu).expect("session");
-    let hard = session.render(&technique("vsm:cascades=3")).expect("frame").visibility;
-    let soft = session.render(&technique("vsm:cascades=3:fade=0.4")).expect("frame").visibility;
-    assert!(hard.iter().zip(&soft).all(|(h, s)| s >= h) && hard.iter().zip(&soft).any(|(h, s)| s > h));
-    // Up the middle of the picture, from the feet to the horizon.
-    let column: Vec<f32> = (0..soft.len() / width).rev().map(|y| soft[y * width + width / 2]).collect();
-    let ground = column.iter().position(|v| *v > 0.0).unwrap_or(column.len());
-    assert!(ground > 20, "near is as it was: {ground}");
-}
-
 /// Every caster counts, wherever it stands: behind the camera, above the view, beside it.
 #[test]
 fn casters_out_of_sight_keep_their_shadows() {

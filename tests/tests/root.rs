@@ -8,4 +8,5 @@ mod laws;
 mod lights;
 mod mask;
 mod real_scenes;
+mod translucency;
 mod twin;

@@ -1,11 +1,12 @@
 //! Two levels: a tree of instances, each a placed tree of its own (TLAS over BLAS).
 
 use crate::any_hit::AnyHit;
+use crate::fold::Blocked;
 use crate::node::{INNER_BITS, Node, octant};
 use crate::probe::{NoProbe, Probe};
 use crate::ray::{Hit, NONE, Ray};
 use crate::slab::{Slab, Span};
-use crate::traverse::{Stack, Tree, closest_in_tree, occluded_in_tree};
+use crate::traverse::{Stack, Tree, closest_in_tree, fold_in_tree};
 use crate::triangle::Triangle;
 use bytemuck::{Pod, Zeroable};
 use lt_math::glam::{Vec3, Vec4};
@@ -148,8 +149,9 @@ pub fn occluded_instanced_probed<A: AnyHit, P: Probe>(
     any_hit: A,
     probe: &mut P,
 ) -> bool {
+    let mut is_blocked = false;
     if !ray.is_valid() || tlas_root as usize >= nodes.len() {
-        return false;
+        return is_blocked;
     }
     let slab = nodes[tlas_root as usize].slab(&ray);
     let octant = octant(&slab);
@@ -168,7 +170,11 @@ pub fn occluded_instanced_probed<A: AnyHit, P: Probe>(
             let window = instance.window(&slab);
             if window.near <= window.far && window.near <= ray.tmax && window.far >= ray.tmin {
                 let object = instance.to_object(&ray);
-                if occluded_in_tree(nodes, triangles, instance.tree(), object, window, any_hit, probe) {
+                let tree = instance.tree();
+                is_blocked = fold_in_tree::<Blocked, _, _>(
+                    nodes, triangles, tree, object, window, any_hit, is_blocked, probe,
+                );
+                if is_blocked {
                     return true;
                 }
             }

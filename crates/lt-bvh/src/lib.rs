@@ -25,6 +25,8 @@
 //!   lead back to the caller's order.
 //! - Triangles flagged [`Triangle::NON_OPAQUE`] ask an [`AnyHit`] inside the traversal; a struct of slices, passed by
 //!   value, works on the GPU too.
+//! - [`transmitted`] follows a shadow ray through everything that it meets and multiplies what each hit lets through
+//!   ([`Transmit`]).
 //! - Bad rays (NaN, magnitudes of 1e15 and more) hit nothing. Bad triangles are dropped by the builder and counted.
 //! - An empty tree is one zeroed [`Node`].
 //!
@@ -57,6 +59,7 @@ extern crate std;
 mod any_hit;
 #[cfg(feature = "build")]
 mod build;
+mod fold;
 mod instance;
 mod node;
 mod offset;
@@ -68,6 +71,7 @@ mod single;
 mod slab;
 #[cfg(feature = "build")]
 mod tracer;
+mod transmit;
 mod traverse;
 mod triangle;
 
@@ -87,5 +91,6 @@ pub use simd::{Grouping, Simd, SimdLevel};
 pub use single::RayTest;
 #[cfg(feature = "build")]
 pub use tracer::{Scalar, Tracer};
-pub use traverse::{MAX_DEPTH, closest_hit, closest_hit_probed, occluded, occluded_probed};
+pub use transmit::Transmit;
+pub use traverse::{MAX_DEPTH, closest_hit, closest_hit_probed, occluded, occluded_probed, transmitted};
 pub use triangle::Triangle;

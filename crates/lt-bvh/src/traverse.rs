@@ -1,11 +1,14 @@
 //! Stack traversal of one compressed wide tree, in groups of children (Ylitie, Karras, Laine 2017, algorithm 1).
 
 use crate::any_hit::AnyHit;
+use crate::fold::{Blocked, Fold, Product};
 use crate::node::{INNER_BITS, Node, octant};
 use crate::probe::{NoProbe, Probe};
 use crate::ray::{Hit, NONE, Ray};
 use crate::slab::{Span, WHOLE_RAY};
+use crate::transmit::Transmit;
 use crate::triangle::{Shear, Triangle, is_nearer};
+use lt_math::glam::Vec3;
 
 /// Levels of a tree that a traversal can hold; builders return an error for (and validation rejects) more.
 pub const MAX_DEPTH: usize = 32;
@@ -116,19 +119,20 @@ pub(crate) fn closest_in_tree<A: AnyHit, P: Probe>(
     best
 }
 
-/// Whether anything in one tree blocks the ray.
+/// Follows a ray through every hit in one tree, in any order, until `F` says that no further one matters.
 #[inline(always)]
-pub(crate) fn occluded_in_tree<A: AnyHit, P: Probe>(
+pub(crate) fn fold_in_tree<F: Fold<C>, C: Copy, P: Probe>(
     nodes: &[Node],
     triangles: &[Triangle],
     tree: Tree,
     ray: Ray,
     window: Span,
-    any_hit: A,
+    callback: C,
+    mut state: F::State,
     probe: &mut P,
-) -> bool {
+) -> F::State {
     if !ray.is_valid() || tree.root as usize >= nodes.len() {
-        return false;
+        return state;
     }
     let slab = nodes[tree.root as usize].slab(&ray);
     let shear = Shear::new(&ray);
@@ -148,15 +152,15 @@ pub(crate) fn occluded_in_tree<A: AnyHit, P: Probe>(
             let triangle = &triangles[index as usize];
             let hit = shear.intersect(&ray, &slab, triangle, window);
             if hit.is_hit && hit.t > ray.tmin && hit.t < ray.tmax {
-                let counts = triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v);
-                if counts {
-                    return true;
+                state = F::meet(&callback, state, triangle.is_opaque(), index, hit.u, hit.v);
+                if F::is_over(state) {
+                    return state;
                 }
             }
         }
         at = stack.next(octant);
     }
-    false
+    state
 }
 
 /// Nearest hit of a world-space ray in the tree whose root is `nodes[0]`.
@@ -193,5 +197,15 @@ pub fn occluded_probed<A: AnyHit, P: Probe>(
     probe: &mut P,
 ) -> bool {
     let tree = Tree { root: 0, first_primitive: 0 };
-    occluded_in_tree(nodes, triangles, tree, ray, WHOLE_RAY, any_hit, probe)
+    fold_in_tree::<Blocked, _, _>(nodes, triangles, tree, ray, WHOLE_RAY, any_hit, false, probe)
+}
+
+/// The light that a world-space ray leaves of white after all that it meets in the tree whose root is `nodes[0]`: the
+/// product of what every hit lets through, linear RGB in [0, 1].
+///
+/// Hits are multiplied in the tree's order, so that another tree over the same triangles may differ by a rounding
+/// (2⁻²⁴ of the product) per hit.
+pub fn transmitted<T: Transmit>(nodes: &[Node], triangles: &[Triangle], ray: Ray, transmit: T) -> Vec3 {
+    let tree = Tree { root: 0, first_primitive: 0 };
+    fold_in_tree::<Product, _, _>(nodes, triangles, tree, ray, WHOLE_RAY, transmit, Vec3::ONE, &mut NoProbe)
 }

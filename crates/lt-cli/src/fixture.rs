@@ -71,7 +71,16 @@ pub fn played() -> (Comparison, Playback) {
 
 fn frame(visibility: Vec<f32>, doubt: bool) -> Frame {
     let doubt = vec![doubt; visibility.len()];
-    Frame { visibility, doubt, rays: 0, passes: Vec::new(), map_bytes: 0, mask: Vec::new(), map_draws: 0 }
+    Frame {
+        visibility,
+        tint: Vec::new(),
+        doubt,
+        rays: 0,
+        passes: Vec::new(),
+        map_bytes: 0,
+        mask: Vec::new(),
+        map_draws: 0,
+    }
 }
 
 fn picture(frame: &Frame) -> Vec<[u8; 4]> {
@@ -97,6 +106,7 @@ fn row(id: &str, frame: &Frame, ms: f64, rays: u64) -> Row {
             mask: None,
             object_motion: false,
             reuse: false,
+            tint: false,
             effects: vec![effect],
         },
         rays_per_pixel: rays as f64 / 8.0,

@@ -2,6 +2,7 @@
 
 use std::{io::Write, path::Path};
 
+use lt_math::glam::Vec3;
 use lt_render::{Frame, Session, Technique};
 
 use crate::{
@@ -29,7 +30,7 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let work = spinner(&format!("drawing with {technique}"));
     let frame = session.render(&technique)?;
     let size = session.setup().size.to_array();
-    let picture = Picture::new(size, session.shade(&frame.visibility)?);
+    let picture = Picture::new(size, session.shade(&frame)?);
     files::write(&args.out, |to| picture.write_png(to))?;
     if let Some(dir) = &args.dump {
         dump(dir, session, &frame)?;
@@ -53,7 +54,8 @@ fn dump(dir: &Path, session: &mut Session, frame: &Frame) -> anyhow::Result<()> 
     let reference = session.render(&Technique::RAY)?;
     let samples = session.samples();
     let axis = |pick: fn(&lt_render::Sample) -> f32| samples.iter().map(pick).collect::<Vec<f32>>();
-    let channels = vec![
+    let tint = |pick: fn(&Vec3) -> f32| frame.tint.iter().map(pick).collect::<Vec<f32>>();
+    let mut channels = vec![
         ("position.X", axis(|s| s.position.x)),
         ("position.Y", axis(|s| s.position.y)),
         ("position.Z", axis(|s| s.position.z)),
@@ -64,6 +66,9 @@ fn dump(dir: &Path, session: &mut Session, frame: &Frame) -> anyhow::Result<()> 
         ("reference.Y", reference.visibility),
         ("doubt.Y", as_floats(&frame.doubt)),
     ];
+    if !frame.tint.is_empty() {
+        channels.extend([("tint.R", tint(|t| t.x)), ("tint.G", tint(|t| t.y)), ("tint.B", tint(|t| t.z))]);
+    }
     let setup = session.setup();
     files::write(&dir.join("frame.exr"), |to| exr_file::write(to, setup.size.to_array(), channels))?;
     files::write(&dir.join("camera.json"), |to| {

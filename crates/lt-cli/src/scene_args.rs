@@ -61,6 +61,9 @@ pub struct SceneArgs {
     /// Seed of a built-in scene
     #[arg(long, value_name = "N", default_value_t = 1, help_heading = "Scene")]
     pub seed: u64,
+    /// Let translucent surfaces (blended, or with KHR_materials_transmission) tint the light; else they block it or not
+    #[arg(long, help_heading = "Scene")]
+    pub translucent: bool,
     /// Shadow map resolution, a multiple of 64 [default: 2048]
     #[arg(long, value_name = "N", value_parser = values::map_size, help_heading = "Techniques")]
     pub map_size: Option<u32>,
@@ -152,6 +155,7 @@ impl SceneArgs {
             setup.light = Light { kind, ..Light::sun(Vec3::NEG_Y) };
         }
         self.aim(&mut setup.camera)?;
+        setup.traces_translucency = self.translucent;
         setup.map_size = self.map_size.unwrap_or(setup.map_size);
         Ok(setup)
     }

@@ -2,7 +2,8 @@
 
 use std::{fmt, str::FromStr};
 
-use lt_math::{LightProjection, glam::Vec4};
+use lt_math::LightProjection;
+use lt_math::glam::{Vec3, Vec4};
 use lt_shaders::abi::{
     CameraParams, DepthParams, FilterParams, MaskParams, Sample, ShadeParams, ShadowParams,
 };
@@ -157,11 +158,16 @@ pub trait Backend {
     /// [`RenderError::Gpu`] when the device fails.
     fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError>;
 
-    /// Shades the samples with this visibility (row by row), sRGB.
+    /// Shades the samples with this visibility and tint (row by row; an empty tint is white), sRGB.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails.
-    fn shade(&mut self, visibility: &[f32], params: &ShadeParams) -> Result<Vec<[u8; 4]>, RenderError>;
+    fn shade(
+        &mut self,
+        visibility: &[f32],
+        tint: &[Vec3],
+        params: &ShadeParams,
+    ) -> Result<Vec<[u8; 4]>, RenderError>;
 }
 
 /// A test's default parameters in the order its kernel reads them (`lt_shaders::evaluate::TestFromParams`).

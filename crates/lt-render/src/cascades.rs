@@ -34,8 +34,6 @@ pub struct Cascades {
     pub splits: Splits,
     /// What answers in the last.
     pub far: FarLevel,
-    /// Border of the last map over which an estimate without doubt fades to light, as a share of its width; 0 for none.
-    pub fade: f32,
 }
 
 impl Cascades {
@@ -44,7 +42,7 @@ impl Cascades {
 
     /// This many levels, every one with a map, cut by the usual blend.
     pub const fn levels(count: u32) -> Self {
-        Self { count, splits: Splits::Blend(DEFAULT_SPLIT_BLEND), far: FarLevel::Map, fade: 0.0 }
+        Self { count, splits: Splits::Blend(DEFAULT_SPLIT_BLEND), far: FarLevel::Map }
     }
 
     /// What leaves least to rays for three maps' cost, as in Kern et al. 2024: four levels, the last one traced.
@@ -92,9 +90,6 @@ impl Cascades {
                 }
                 _ => Err(format!("`far={value}` must be map or ray")),
             },
-            "fade" => number(value, 0.0..=0.5)
-                .map(|fade| self.fade = fade)
-                .ok_or_else(|| format!("`fade={value}` must be a number from 0 to 0.5")),
             _ => return None,
         })
     }
@@ -119,9 +114,6 @@ impl Cascades {
         // One level is one map in any case.
         if self.far != usual.far && self.count > 1 {
             write!(f, ":far={}", if self.far == FarLevel::Map { "map" } else { "ray" })?;
-        }
-        if self.fade != usual.fade {
-            write!(f, ":fade={}", self.fade)?;
         }
         Ok(())
     }

@@ -259,7 +259,7 @@ fn judge(
     let valid_pixels = valid.iter().filter(|v| **v).count() as u64;
     let mut pictures = Vec::with_capacity(jobs.len());
     for frame in &frames {
-        pictures.push(session.shade(&frame.visibility)?);
+        pictures.push(session.shade(frame)?);
     }
     let reference = frames[0].clone();
     let flips: Vec<Option<f64>> = pictures

@@ -1,6 +1,7 @@
 //! What one frame runs and what comes out of it.
 
 use lt_mask::MaskBits;
+use lt_math::glam::Vec3;
 
 /// Kinds of pass, in the order a frame runs them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -19,6 +20,8 @@ pub enum PassKind {
     Mask,
     /// Truth for the doubted pixels.
     Resolve,
+    /// What translucent casters let through to the lit ones.
+    Tint,
 }
 
 impl PassKind {
@@ -32,6 +35,7 @@ impl PassKind {
             Self::Evaluate => "evaluate",
             Self::Mask => "mask",
             Self::Resolve => "resolve",
+            Self::Tint => "tint",
         }
     }
 
@@ -56,9 +60,13 @@ pub struct Frame {
     /// Per pixel, row by row from the top: 1 lit, 0 blocked, between for unresolved soft estimates. 0 where nothing
     /// is visible or the surface faces away from the light.
     pub visibility: Vec<f32>,
+    /// Per pixel, the share of the light that translucent casters let through, linear RGB in [0, 1]; white where nothing
+    /// could tint it. Empty where translucency is not traced or nothing is translucent. What reaches a pixel is visibility
+    /// times tint.
+    pub tint: Vec<Vec3>,
     /// Per pixel: whether the estimate was doubted (and so resolved).
     pub doubt: Vec<bool>,
-    /// Shadow rays traced.
+    /// Shadow rays traced, those of the tint pass included.
     pub rays: u64,
     /// Passes in order, with times.
     pub passes: Vec<Pass>,

@@ -71,6 +71,8 @@ pub struct EffectPlan {
     pub object_motion: bool,
     /// The map is kept while it covers what the camera sees.
     pub reuse: bool,
+    /// Light is tinted by translucent casters.
+    pub tint: bool,
     /// The same, listed for people.
     pub effects: Vec<Effect>,
 }
@@ -112,6 +114,7 @@ impl EffectPlan {
             }),
             object_motion: technique.mask.is_some() && sequence.objects_move,
             reuse: map.is_some() && technique.reuse && sequence.is_played,
+            tint: s.is_translucency_traced && s.translucent_triangles > 0,
             effects: Vec::new(),
         };
         let (mask, reuse, object_motion) = (plan.mask, plan.reuse, plan.object_motion);
@@ -194,6 +197,21 @@ impl EffectPlan {
             }
             .to_owned(),
             "1 pass, the BVH".to_owned(),
+        );
+        list(
+            "translucent casters",
+            s.is_translucency_traced && s.translucent_triangles > 0,
+            match (s.translucent_triangles, s.is_translucency_traced) {
+                (0, _) => "nothing lets light through in part".to_owned(),
+                (n, true) => format!("{n} of {} triangles let light through in part", s.triangles),
+                (n, false) => {
+                    format!(
+                        "{n} of {} triangles would, but coverage is binary: see --translucent",
+                        s.triangles
+                    )
+                }
+            },
+            "1 pass, 16 bytes a pixel, a BVH of translucent casters alone, a ray per lit pixel".to_owned(),
         );
         let no_mask = || "the technique has no temporal mask".to_owned();
         list(
@@ -278,6 +296,9 @@ impl EffectPlan {
         }
         if self.doubt_list || self.trace_all {
             passes.push(PassKind::Resolve);
+        }
+        if self.tint {
+            passes.push(PassKind::Tint);
         }
         passes
     }

@@ -96,7 +96,7 @@ impl Session {
     pub fn new(scene: &Scene, setup: Setup, backend: BackendKind) -> Result<Self, RenderError> {
         setup.check()?;
         let start = Instant::now();
-        let packed = PackedScene::new(scene)?;
+        let packed = pack(scene, &setup)?;
         let build_ms = start.elapsed().as_secs_f64() * 1e3;
         let summary = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
         let camera = camera_params(&setup, packed.root());
@@ -163,7 +163,7 @@ impl Session {
     /// As [`Session::look`]; [`RenderError::Build`] where the poses differ in more than positions.
     pub fn advance(&mut self, camera: &Camera, scene: &Scene, before: &Scene) -> Result<(), RenderError> {
         let start = Instant::now();
-        let packed = PackedScene::after(scene, before)?;
+        let packed = pack(scene, &self.setup)?.after(scene, before)?;
         self.info.build_ms = start.elapsed().as_secs_f64() * 1e3;
         self.info.stats = *packed.stats();
         self.scene = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
@@ -241,11 +241,11 @@ impl Session {
         Ok(frame)
     }
 
-    /// The picture with this visibility, row by row, sRGB.
+    /// The picture with the frame's visibility and tint, row by row, sRGB.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails.
-    pub fn shade(&mut self, visibility: &[f32]) -> Result<Vec<[u8; 4]>, RenderError> {
+    pub fn shade(&mut self, frame: &Frame) -> Result<Vec<[u8; 4]>, RenderError> {
         let light = &self.setup.light;
         let size = self.scene.bounds.max - self.scene.bounds.min;
         let haze =
@@ -255,7 +255,7 @@ impl Session {
             light: light_params(&self.setup.light),
             light_color: (light.color * SUN_STRENGTH * self.brightness()).extend(haze),
         };
-        self.backend.shade(visibility, &params)
+        self.backend.shade(&frame.visibility, &frame.tint, &params)
     }
 
     /// Strength at distance 1 with which a spot or point light brings a sun's light to half of what is seen; 1 for a sun.
@@ -308,8 +308,8 @@ impl Session {
             epsilon: technique.epsilon,
             root: self.scene.root,
             level_count: levels.fits.len() as u32,
-            fade_uv: if plan.perspective { 0.0 } else { technique.cascades.fade },
             pad0: 0,
+            pad1: 0,
         };
         let depth_params = |fit: &LightFit| DepthParams {
             projection: fit.projection,
@@ -403,6 +403,13 @@ impl Session {
             pad1: 0,
             pad2: 0,
         }
+    }
+}
+
+fn pack(scene: &Scene, setup: &Setup) -> Result<PackedScene, RenderError> {
+    match setup.traces_translucency {
+        true => PackedScene::with_translucency(scene),
+        false => PackedScene::new(scene),
     }
 }
 

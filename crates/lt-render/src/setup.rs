@@ -16,6 +16,8 @@ pub struct Setup {
     pub light: Light,
     /// Default map resolution, a multiple of 64.
     pub map_size: u32,
+    /// Whether translucent casters tint the light that passes them; else coverage is binary.
+    pub traces_translucency: bool,
 }
 
 /// Map resolution unless told otherwise (the leak tracing paper's).
@@ -31,7 +33,13 @@ impl Setup {
         let is_sun = |l: &&Light| matches!(l.kind, LightKind::Directional { .. });
         let light = scene.lights.iter().find(is_sun).or(scene.lights.first());
         let light = light.cloned().unwrap_or_else(|| Light::sun(DEFAULT_SUN));
-        Self { size: UVec2::new(width, height), camera, light, map_size: DEFAULT_MAP_SIZE }
+        Self {
+            size: UVec2::new(width, height),
+            camera,
+            light,
+            map_size: DEFAULT_MAP_SIZE,
+            traces_translucency: false,
+        }
     }
 
     /// Refuses what cannot be drawn.

@@ -249,7 +249,7 @@ impl Technique {
     }
 
     /// The modifiers an id may carry, with a line each.
-    pub fn modifiers() -> [(&'static str, &'static str); 16] {
+    pub fn modifiers() -> [(&'static str, &'static str); 15] {
         [
             ("prefiltered", "blur a map of depth vectors instead of gathering plain depths"),
             ("eps=X", "LTT's ε, 0 < X < 0.5 (default 0.01)"),
@@ -264,7 +264,6 @@ impl Technique {
                 "far=map|ray",
                 "what answers in the last level: a map, or rays for all of it (default: ltt- and lt- ray)",
             ),
-            ("fade=X", "maps without doubt: fade to light over this share of the last level's width"),
             ("no-reuse", "over several frames: draw the map every frame instead of keeping it while it fits"),
             ("no-rr", "lt-: remove no rays"),
             ("no-er", "lt-: expand no rays"),
@@ -448,11 +447,8 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
             technique.map_size = Some(parse_map_size(value)?);
         }
         "map" => return Err("`map` needs a technique that draws a map".into()),
-        "cascades" | "lambda" | "splits" | "far" | "fade" if technique.estimate == Estimate::None => {
+        "cascades" | "lambda" | "splits" | "far" if technique.estimate == Estimate::None => {
             return Err(format!("`{key}` needs a technique that draws a map"));
-        }
-        "fade" if technique.doubt != Doubt::Never => {
-            return Err("`fade` needs a map alone, such as evsm: a doubted edge is traced".into());
         }
         "no-reuse" if technique.estimate != Estimate::None => technique.reuse = false,
         "no-reuse" => return Err("`no-reuse` needs a technique that draws a map".into()),
@@ -520,7 +516,7 @@ mod tests {
             "lt-evsm:cascades=6:lambda=0.5:far=map",
             "ltt-vsm:splits=5/20/60.5",
             "ltt-evsm:cascades=1",
-            "sm:cascades=3:fade=0.1:map=512",
+            "sm:cascades=3:map=512",
             "lt-esm:published",
             "lt-esm:published:pattern=alternating:moving=cross",
         ] {
@@ -549,7 +545,6 @@ mod tests {
             "sm:cascades=2:far=ray",
             "ltt-evsm:cascades=1:far=ray",
             "ltt-evsm:cascades=2:far=sky",
-            "ltt-evsm:fade=0.1",
             "sm:splits=5/5",
             "sm:splits=0",
             "sm:splits=1/x",

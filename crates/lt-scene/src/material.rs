@@ -76,8 +76,8 @@ pub struct Material {
     pub alpha: AlphaMode,
     /// Whether both faces are shaded alike. Shadows always see both faces.
     pub is_double_sided: bool,
-    /// Fraction of light let through a covered point (KHR_materials_transmission), 0 to 1. Kept for translucent
-    /// shadows; binary visibility ignores it.
+    /// Fraction of light let through a covered point (KHR_materials_transmission), 0 to 1, tinted by the base colour. Binary
+    /// coverage ignores it.
     pub transmission: f32,
     /// Linear RGB emission.
     pub emissive: Vec3,

@@ -15,7 +15,7 @@ fn small(name: &str) -> Builtin {
         "forest" => 20,
         "town" => 60,
         "random" => 5000,
-        "hairball" => 12,
+        "hairball" | "strands" => 12,
         _ => 10,
     };
     Builtin::parse(&format!("{name}:{size}")).expect("a size in range")

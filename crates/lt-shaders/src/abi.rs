@@ -116,11 +116,10 @@ pub struct ShadowParams {
     pub root: u32,
     /// Levels of the light's map (cascades); read by variants with levels only.
     pub level_count: u32,
-    /// Width of the last level's border over which an estimate without doubt fades to light, in uv; 0 for none. Read by
-    /// variants with levels only.
-    pub fade_uv: f32,
-    /// Explicit padding: a scalar, because uniform arrays would need a stride of 16.
+    /// Explicit padding: scalars, because uniform arrays would need a stride of 16.
     pub pad0: u32,
+    /// Explicit padding.
+    pub pad1: u32,
 }
 
 /// Vertex attributes, indexed by `lt_bvh::Triangle::i0…i2`.
@@ -162,8 +161,10 @@ pub struct Material {
     pub color_offset: u32,
     /// Colour texture: width in the low, height in the high 16 bits; 0 if none.
     pub color_size: u32,
+    /// Share of the light that a covered point lets through, tinted by its colour, in [0, 1].
+    pub transmission: f32,
     /// Explicit padding.
-    pub pad: UVec2,
+    pub pad: u32,
 }
 
 impl Material {
@@ -173,6 +174,8 @@ impl Material {
     pub const RECEIVES: u32 = 2;
     /// Flag: nearest texel instead of bilinear.
     pub const NEAREST: u32 = 4;
+    /// Flag: alpha blends; translucent shadows take it as the covered share of a point, not by the cut-off.
+    pub const BLENDS: u32 = 8;
     /// Bit where the wrap mode along u starts (two bits: [`Material::REPEAT`] …).
     pub const WRAP_U_SHIFT: u32 = 4;
     /// Bit where the wrap mode along v starts.

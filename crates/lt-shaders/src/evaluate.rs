@@ -298,16 +298,5 @@ pub fn evaluate_levels<T: TestFromParams, M: MapSource, L: LevelSource, const LT
     if LTT {
         return doubt(visibility, p.epsilon);
     }
-    if L::MAY_BE_PERSPECTIVE && p.fade_uv > 0.0 && levels.is_last(found.level) {
-        return Verdict { visibility: faded(visibility, point.uv, p.fade_uv), is_doubted: false };
-    }
     Verdict { visibility, is_doubted: false }
-}
-
-/// A visibility that goes over to light towards the edge of a map, over a border this wide.
-#[inline]
-fn faded(visibility: f32, uv: Vec2, fade_uv: f32) -> f32 {
-    let lesser = |a: f32, b: f32| if a < b { a } else { b };
-    let to_edge = lesser(lesser(uv.x, 1.0 - uv.x), lesser(uv.y, 1.0 - uv.y));
-    if to_edge < fade_uv { 1.0 - (1.0 - visibility) * (to_edge / fade_uv) } else { visibility }
 }

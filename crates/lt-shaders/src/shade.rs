@@ -16,9 +16,10 @@ const BOUNCE: Vec3 = Vec3::new(0.16, 0.14, 0.12);
 /// Share of the sky that reaches a surface.
 const SKY_STRENGTH: f32 = 0.42;
 
-/// Colour of one pixel, sRGB in three bytes from the lowest, alpha 255.
+/// Colour of one pixel, sRGB in three bytes from the lowest, alpha 255. `reaching` is the share of the light that reaches
+/// it: visibility times tint.
 #[inline]
-pub fn shade(px: UVec2, sample: &Sample, visibility: f32, p: &ShadeParams) -> u32 {
+pub fn shade(px: UVec2, sample: &Sample, reaching: Vec3, p: &ShadeParams) -> u32 {
     let view = view_direction(px, &p.camera);
     if !sample.is_valid() {
         return pack_srgb(sky(view));
@@ -26,8 +27,8 @@ pub fn shade(px: UVec2, sample: &Sample, visibility: f32, p: &ShadeParams) -> u3
     let n = sample.shading_normal;
     let to_light = to_light(sample.position, &p.light);
     let facing = n.dot(to_light.normalize());
-    let strength = if facing > 0.0 { facing * visibility * falloff(to_light, &p.light) } else { 0.0 };
-    let sun = p.light_color.truncate() * strength;
+    let strength = if facing > 0.0 { facing * falloff(to_light, &p.light) } else { 0.0 };
+    let sun = if strength > 0.0 { p.light_color.truncate() * (reaching * strength) } else { Vec3::ZERO };
     let up = 0.5 + 0.5 * n.y;
     let ambient = (HORIZON.lerp(ZENITH, 0.4) * up + BOUNCE * (1.0 - up)) * SKY_STRENGTH;
     // A little form in the shade: surfaces seen edge-on receive less sky.
@@ -90,7 +91,7 @@ fn srgb(linear: f32) -> f32 {
 
 /// Into [0, 1]; NaN becomes 0.
 #[inline]
-fn unit(x: f32) -> f32 {
+pub(crate) fn unit(x: f32) -> f32 {
     if x > 0.0 { if x < 1.0 { x } else { 1.0 } } else { 0.0 }
 }
 

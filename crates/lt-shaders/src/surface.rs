@@ -1,10 +1,11 @@
-//! Surfaces at a hit: coverage (the alpha test inside the traversal), colour, shading normal.
+//! Surfaces at a hit: coverage (the alpha test inside the traversal), transmittance, colour, shading normal.
 
-use lt_bvh::{AnyHit, Triangle};
+use lt_bvh::{AnyHit, Transmit, Triangle};
 use lt_math::glam::{Vec2, Vec3, Vec4};
 
 use crate::{
     abi::{Material, Vertex},
+    shade::unit,
     texture::{TextureView, unorm_byte, unorm_bytes},
 };
 
@@ -48,12 +49,9 @@ pub fn corners_of(triangle: &Triangle, vertices: &[Vertex]) -> [Vertex; 3] {
     [vertices[indices[0] as usize], vertices[indices[1] as usize], vertices[indices[2] as usize]]
 }
 
-/// Whether a surface covers a point: factor × texture × vertex alpha against the cut-off (glTF 2.0, §3.9.4).
+/// Alpha of a point of a surface that has any: factor × texture × vertex alpha (glTF 2.0, §3.9.4).
 #[inline]
-pub fn covers(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_texels: &[u32]) -> bool {
-    if material.cutoff <= 0.0 {
-        return true;
-    }
+pub fn alpha(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_texels: &[u32]) -> f32 {
     let mut alpha = material.base_color.w * vertex_alpha(corners, weights);
     if material.alpha_size != 0 {
         let view =
@@ -64,7 +62,68 @@ pub fn covers(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_t
             + unorm_byte(alpha_texels, quad.indices[2]) * quad.weights.z
             + unorm_byte(alpha_texels, quad.indices[3]) * quad.weights.w;
     }
-    alpha >= material.cutoff
+    alpha
+}
+
+/// Whether a surface covers a point: its alpha against the cut-off (glTF 2.0, §3.9.4).
+#[inline]
+pub fn covers(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_texels: &[u32]) -> bool {
+    material.cutoff <= 0.0 || alpha(material, corners, weights, alpha_texels) >= material.cutoff
+}
+
+/// Share of the light that passes a point of a surface, linear RGB in [0, 1].
+///
+/// What is not covered lets all light pass, what is covered its transmission times its base colour
+/// (KHR_materials_transmission, without refraction or roughness). A blended surface covers its alpha's share of a point,
+/// any other all or nothing.
+#[inline]
+pub fn transmittance(
+    material: &Material,
+    corners: &[Vertex; 3],
+    weights: Vec3,
+    alpha_texels: &[u32],
+    color_texels: &[u32],
+) -> Vec3 {
+    let covered = if material.cutoff <= 0.0 {
+        1.0
+    } else {
+        let alpha = alpha(material, corners, weights, alpha_texels);
+        if material.flags & Material::BLENDS != 0 {
+            unit(alpha)
+        } else if alpha >= material.cutoff {
+            1.0
+        } else {
+            0.0
+        }
+    };
+    let color =
+        plain_color(material, corners, weights) * texture_color(material, corners, weights, color_texels);
+    let passes = color * (covered * material.transmission) + Vec3::splat(1.0 - covered);
+    Vec3::new(unit(passes.x), unit(passes.y), unit(passes.z))
+}
+
+/// What translucent casters let through, for traversal.
+#[derive(Clone, Copy)]
+pub struct Translucence<'a> {
+    /// Triangles of the translucent casters' tree in leaf order.
+    pub triangles: &'a [Triangle],
+    /// Vertex attributes.
+    pub vertices: &'a [Vertex],
+    /// Materials.
+    pub materials: &'a [Material],
+    /// Coverage texels, four to a word.
+    pub alpha_texels: &'a [u32],
+    /// Colour texels, one word each.
+    pub color_texels: &'a [u32],
+}
+
+impl Transmit for Translucence<'_> {
+    fn transmittance(&self, triangle: u32, u: f32, v: f32) -> Vec3 {
+        let corners = corners_of(&self.triangles[triangle as usize], self.vertices);
+        let material = self.materials[corners[0].material as usize];
+        let weights = barycentric_weights(u, v);
+        transmittance(&material, &corners, weights, self.alpha_texels, self.color_texels)
+    }
 }
 
 /// Whether a surface blocks light at a point: it casts, and it covers the point.
@@ -165,6 +224,27 @@ mod tests {
             assert_ne!(word, Vertex::NO_NORMAL);
             assert!((octahedral_decode(word) - n).length() < 1e-4, "{n}");
         }
+    }
+
+    #[test]
+    fn what_is_covered_lets_its_transmission_pass_and_the_rest_everything() {
+        let corner = Vertex { color: 0xffff_ffff, ..Vertex::default() };
+        let through = |m: &Material| transmittance(m, &[corner; 3], Vec3::splat(1.0 / 3.0), &[], &[]);
+        let glass = Material {
+            base_color: Vec4::new(0.5, 1.0, 0.25, 0.75),
+            transmission: 0.5,
+            ..Material::default()
+        };
+        assert_eq!(through(&glass), Vec3::new(0.25, 0.5, 0.125));
+        let blended = Material { cutoff: 0.5, flags: Material::BLENDS, ..glass };
+        assert_eq!(through(&blended), Vec3::new(0.1875, 0.375, 0.09375) + 0.25);
+        let masked = |w| Material { base_color: glass.base_color.truncate().extend(w), cutoff: 0.5, ..glass };
+        assert_eq!(through(&masked(0.4)), Vec3::ONE);
+        assert_eq!(through(&masked(0.5)), through(&glass));
+        let opaque = Material { transmission: 0.0, ..glass };
+        assert_eq!(through(&opaque), Vec3::ZERO);
+        let broken = Material { base_color: Vec4::NAN, ..glass };
+        assert_eq!(through(&broken), Vec3::ZERO);
     }
 
     #[test]

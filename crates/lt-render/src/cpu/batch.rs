@@ -55,10 +55,6 @@ pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
     is_doubted: &mut [bool],
 ) {
     let maps = Maps { projections, depths, margin_uv: Some(level_margin_uv(p.map_size)) };
-    if !LTT && p.fade_uv > 0.0 {
-        // A fading edge is rare, and needs no speed: a map alone shows it.
-        return evaluate_each::<T, LTT>(samples, p, maps, visibility, is_doubted);
-    }
     evaluate_on::<T, LTT>(samples, p, maps, visibility, is_doubted);
 }
 

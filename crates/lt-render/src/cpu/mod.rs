@@ -14,6 +14,7 @@ mod raster;
 mod shadow;
 mod shortcut;
 mod tiles;
+mod tint;
 
 use std::time::Instant;
 
@@ -49,6 +50,8 @@ pub struct CpuBackend {
     /// Where each sample was in the last frame; empty while nothing in the scene moves.
     previous: Vec<Vec3>,
     visibility: Vec<f32>,
+    /// Empty while nothing tints light.
+    tint: Vec<Vec3>,
     is_doubted: Vec<bool>,
     /// What techniques keep between frames, by the job's slot.
     slots: Vec<Slot>,
@@ -87,6 +90,7 @@ impl CpuBackend {
             samples: Vec::new(),
             previous: Vec::new(),
             visibility: Vec::new(),
+            tint: Vec::new(),
             is_doubted: Vec::new(),
             slots: Vec::new(),
             slot: 0,
@@ -164,6 +168,7 @@ impl Backend for CpuBackend {
         slot.rows.resize(vector_texels, Vec4::ZERO);
         slot.vectors.resize(vector_texels, Vec4::ZERO);
         slot.history.begin(self.tiles, job.plan.mask);
+        self.tint.resize(if job.plan.tint { self.tiles.len() } else { 0 }, Vec3::ONE);
         self.rays = 0;
         self.passes.clear();
         self.pixel_ms = None;
@@ -200,6 +205,15 @@ impl Backend for CpuBackend {
                 self.passes.push(Pass { kind, ms });
                 return Ok(());
             }
+            (PassKind::Tint, ..) => {
+                self.rays += tint::trace(
+                    &self.scene,
+                    &job.shadow.light,
+                    &self.samples,
+                    &self.visibility,
+                    &mut self.tint,
+                );
+            }
             _ => {}
         }
         self.passes.push(Pass { kind, ms: Some(milliseconds(start)) });
@@ -220,6 +234,7 @@ impl Backend for CpuBackend {
         }
         Ok(Frame {
             visibility: self.tiles.to_rows(&self.visibility),
+            tint: if self.tint.is_empty() { Vec::new() } else { self.tiles.to_rows(&self.tint) },
             doubt,
             rays: self.rays,
             passes: std::mem::take(&mut self.passes),
@@ -229,14 +244,21 @@ impl Backend for CpuBackend {
         })
     }
 
-    fn shade(&mut self, visibility: &[f32], params: &ShadeParams) -> Result<Vec<[u8; 4]>, RenderError> {
+    fn shade(
+        &mut self,
+        visibility: &[f32],
+        tint: &[Vec3],
+        params: &ShadeParams,
+    ) -> Result<Vec<[u8; 4]>, RenderError> {
         let (size, tiles) = (self.tiles.size(), self.tiles);
         let mut picture = vec![0u32; tiles.len()];
         picture.par_chunks_mut(BLOCK).zip(self.samples.par_chunks(BLOCK)).enumerate().for_each(
             |(block, (out, samples))| {
                 for (i, (word, sample)) in out.iter_mut().zip(samples).enumerate() {
                     if let Some(px) = tiles.pixel(block, i) {
-                        *word = shade(px, sample, visibility[(px.y * size.x + px.x) as usize], params);
+                        let at = (px.y * size.x + px.x) as usize;
+                        let reaching = tint.get(at).map_or(Vec3::ONE, |t| *t) * visibility[at];
+                        *word = shade(px, sample, reaching, params);
                     }
                 }
             },

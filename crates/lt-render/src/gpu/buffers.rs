@@ -18,6 +18,8 @@ pub struct GpuScene {
     pub(super) color_texels: Option<wgpu::Buffer>,
     pub(super) previous_positions: Option<wgpu::Buffer>,
     pub(super) draws: Vec<DrawRange>,
+    /// Nodes and triangles of translucent casters.
+    pub(super) translucent: Option<[wgpu::Buffer; 2]>,
 }
 
 /// Per-pixel buffers of a view, and what techniques keep between frames.
@@ -27,6 +29,8 @@ pub struct FrameBuffers {
     /// Where each sample was in the last frame; only while things in the scene move.
     pub(super) past: Option<wgpu::Buffer>,
     pub(super) visibility: wgpu::Buffer,
+    /// Tint of the light at each pixel; only where translucent casters are traced.
+    pub(super) tints: Option<wgpu::Buffer>,
     pub(super) doubt: Option<DoubtBuffers>,
     /// By [`crate::FrameJob::slot`].
     pub(super) slots: Vec<SlotBuffers>,
@@ -163,6 +167,13 @@ impl Allocator {
                 all => Some(self.filled("last positions", all, Usage::STORAGE)?),
             },
             draws: scene.draws().to_vec(),
+            translucent: match scene.translucent() {
+                None => None,
+                Some(bvh) => Some([
+                    self.filled("translucent casters' BVH nodes", bvh.nodes(), Usage::STORAGE)?,
+                    self.filled("translucent casters' triangles", bvh.triangles(), Usage::STORAGE)?,
+                ]),
+            },
         })
     }
 
@@ -177,6 +188,7 @@ impl Allocator {
                 pixels * 4,
                 Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST,
             )?,
+            tints: None,
             past: None,
             doubt: None,
             slots: Vec::new(),
@@ -212,6 +224,11 @@ impl Allocator {
                 false => None,
             },
         })
+    }
+
+    pub fn tints(&self, size: UVec2) -> Result<wgpu::Buffer, RenderError> {
+        let pixels = u64::from(size.x) * u64::from(size.y);
+        self.empty("tints", pixels * 16, Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST)
     }
 
     pub fn past(&self, size: UVec2) -> Result<wgpu::Buffer, RenderError> {

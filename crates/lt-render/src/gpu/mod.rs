@@ -22,10 +22,11 @@ pub use recorder::Recorder;
 use std::time::Instant;
 
 use lt_mask::MaskBits;
-use lt_math::glam::UVec2;
+use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_shaders::abi::{CameraParams, Sample, ShadeParams};
 use lt_shaders::doubt::{COUNT, LIST_START};
 use lt_shaders::evaluate::settle;
+use lt_shaders::resolve::may_be_tinted;
 use timestamps::Timestamps;
 
 use crate::{Backend, EffectPlan, Frame, FrameJob, PackedScene, Pass, PassKind, RenderError};
@@ -205,7 +206,16 @@ impl Backend for GpuBackend {
         let passes = self.submit()?;
         let bytes = self.pixels() * 4;
         let visibility = self.recorder.allocator().read(&self.queue, &self.frame.visibility, bytes)?;
-        let (doubt, rays) = self.doubt(job)?;
+        let (doubt, mut rays) = self.doubt(job)?;
+        let tint: Vec<Vec3> = match &self.frame.tints {
+            None => Vec::new(),
+            Some(buffer) => {
+                let rows: Vec<Vec4> = self.recorder.allocator().read(&self.queue, buffer, bytes * 4)?;
+                let reached = self.samples.iter().zip(&visibility);
+                rays += reached.filter(|(s, v)| may_be_tinted(s, &job.shadow.light, **v)).count() as u64;
+                rows.into_iter().map(Vec4::truncate).collect()
+            }
+        };
         let slot = &self.frame.slots[job.slot];
         let map_bytes = slot.map.as_ref().filter(|_| job.map.is_some()).map_or(0, |m| m.bytes());
         let mask = match &slot.history {
@@ -216,11 +226,26 @@ impl Backend for GpuBackend {
                 words.into_iter().map(MaskBits::from_bits).collect()
             }
         };
-        Ok(Frame { visibility, doubt, rays, passes, map_bytes, mask, map_draws: job.map_draws() })
+        let map_draws = job.map_draws();
+        Ok(Frame { visibility, tint, doubt, rays, passes, map_bytes, mask, map_draws })
     }
 
-    fn shade(&mut self, visibility: &[f32], params: &ShadeParams) -> Result<Vec<[u8; 4]>, RenderError> {
+    fn shade(
+        &mut self,
+        visibility: &[f32],
+        tint: &[Vec3],
+        params: &ShadeParams,
+    ) -> Result<Vec<[u8; 4]>, RenderError> {
         self.queue.write_buffer(&self.frame.visibility, 0, bytemuck::cast_slice(visibility));
+        self.frame.tints = match tint {
+            [] => None,
+            tint => {
+                let buffer = self.recorder.allocator().tints(self.frame.size)?;
+                let rows: Vec<Vec4> = tint.iter().map(|t| t.extend(1.0)).collect();
+                self.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&rows));
+                Some(buffer)
+            }
+        };
         let bytes = self.pixels() * 4;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let picture = self.recorder.allocator().empty("picture", bytes, usage)?;

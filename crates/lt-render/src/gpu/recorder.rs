@@ -174,6 +174,11 @@ impl Recorder {
                 }
             }
         }
+        match job.plan.tint {
+            false => frame.tints = None,
+            true if frame.tints.is_none() => frame.tints = Some(self.allocator.tints(size)?),
+            true => {}
+        }
         match job.plan.doubt_list {
             false => frame.doubt = None,
             true if frame.doubt.is_none() => frame.doubt = Some(self.allocator.doubt(size)?),
@@ -201,6 +206,7 @@ impl Recorder {
             PassKind::Evaluate => self.evaluate(encoder, frame, job),
             PassKind::Mask => self.mask(encoder, frame, job),
             PassKind::Resolve => self.resolve(encoder, scene, frame, job),
+            PassKind::Tint => self.tint(encoder, scene, frame, job),
         }
     }
 
@@ -439,7 +445,38 @@ impl Recorder {
         }
     }
 
-    /// Shades the frame's samples with its visibility into `picture`, one sRGB word per pixel.
+    fn tint(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &GpuScene,
+        frame: &FrameBuffers,
+        job: &FrameJob,
+    ) -> Result<(), RenderError> {
+        let (Some([nodes, triangles]), Some(tints)) = (&scene.translucent, &frame.tints) else {
+            return Err(self.unprepared());
+        };
+        let uniform = self.allocator.filled("shadow", &[job.shadow], Usage::UNIFORM)?;
+        // Surfaces without a texture do not look at the texels; a binding must exist all the same.
+        let no_texels = self.allocator.filled::<u32>("no texels", &[], Usage::STORAGE)?;
+        let alpha_texels = scene.alpha_texels.as_ref().unwrap_or(&no_texels);
+        let color_texels = scene.color_texels.as_ref().unwrap_or(&no_texels);
+        let bindings = [
+            &uniform,
+            &frame.samples,
+            nodes,
+            triangles,
+            &frame.visibility,
+            tints,
+            &scene.vertices,
+            &scene.materials,
+            alpha_texels,
+            color_texels,
+        ];
+        self.dispatch(encoder, "tint_cs", &bindings, grid(frame.size))
+    }
+
+    /// Shades the frame's samples with its visibility, and its tint if there is one, into `picture`, one sRGB word per
+    /// pixel.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when a uniform cannot be made.
@@ -451,12 +488,10 @@ impl Recorder {
         p: &ShadeParams,
     ) -> Result<(), RenderError> {
         let uniform = self.allocator.filled("shade", &[*p], Usage::UNIFORM)?;
-        self.dispatch(
-            encoder,
-            "shade_cs",
-            &[&uniform, &frame.samples, &frame.visibility, picture],
-            grid(frame.size),
-        )
+        let mut bindings = vec![&uniform, &frame.samples, &frame.visibility, picture];
+        bindings.extend(&frame.tints);
+        let name = if frame.tints.is_some() { "shade_tinted_cs" } else { "shade_cs" };
+        self.dispatch(encoder, name, &bindings, grid(frame.size))
     }
 
     fn dispatch(

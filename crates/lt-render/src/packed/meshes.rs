@@ -46,6 +46,16 @@ pub fn group(scene: &Scene, bake_all_limit: usize) -> Vec<Group> {
     groups
 }
 
+/// Every placement of a caster that lets light through in part, baked.
+pub fn translucent_casters(scene: &Scene) -> Group {
+    let is_one = |&i: &usize| {
+        let instance = &scene.instances[i];
+        let mesh = &scene.meshes[instance.mesh as usize];
+        instance.casts_shadow && scene.materials[mesh.material as usize].is_translucent()
+    };
+    Group { members: (0..scene.instances.len()).filter(is_one).collect(), is_instanced: false }
+}
+
 /// The triangles of a group, in world space if it is baked. Their indices count from `first_vertex`, so `positions` is
 /// padded in front: only its tail is used.
 pub fn soup(scene: &Scene, group: &Group, materials: &PackedMaterials, first_vertex: usize) -> Soup {

@@ -13,6 +13,7 @@ use lt_scene::{Bounds, Scene};
 use lt_shaders::abi::{Material, Vertex};
 
 use crate::RenderError;
+use textures::PackedMaterials;
 
 /// Scenes up to this many triangles (copies counted) are baked whole: below it the memory that a TLAS saves is
 /// taken not to be worth its second level of traversal. Chosen by judgement, not by measurement.
@@ -37,6 +38,10 @@ pub struct PackStats {
     pub bvh_bytes: u64,
     /// Triangles no ray can hit.
     pub dropped: u64,
+    /// Triangles of casters that let light through in part, over all instances.
+    pub translucent_triangles: u64,
+    /// Whether these tint the light; else they block it or not, like any other.
+    pub is_translucency_traced: bool,
 }
 
 /// One range of the depth map pass.
@@ -75,17 +80,30 @@ pub struct PackedScene {
     bounds: Bounds,
     stats: PackStats,
     previous_positions: Vec<Vec4>,
+    translucent: Option<Bvh>,
 }
 
 impl PackedScene {
-    /// Packs a posed scene and builds its trees.
+    /// Packs a posed scene and builds its trees. Coverage is binary: a translucent surface blocks light or does not.
     ///
     /// # Errors
     /// [`RenderError::Build`] for indices out of range or a singular instance transform, which importers and
     /// generators never hand over.
     pub fn new(scene: &Scene) -> Result<Self, RenderError> {
+        Self::pack(scene, false)
+    }
+
+    /// Packs a posed scene whose translucent casters tint light: they block none of it, and have a tree of their own.
+    ///
+    /// # Errors
+    /// As [`PackedScene::new`].
+    pub fn with_translucency(scene: &Scene) -> Result<Self, RenderError> {
+        Self::pack(scene, true)
+    }
+
+    fn pack(scene: &Scene, traces_translucency: bool) -> Result<Self, RenderError> {
         let textures = textures::pack(scene);
-        let materials = textures::pack_materials(scene, &textures);
+        let materials = textures::pack_materials(scene, &textures, traces_translucency);
         let groups = meshes::group(scene, BAKE_ALL_LIMIT);
         let mut vertices = Vec::new();
         let mut bvhs = Vec::new();
@@ -101,7 +119,14 @@ impl PackedScene {
             drop(soup);
             meshes::push_vertices(scene, group, &materials, &mut vertices);
         }
+        let casters = meshes::translucent_casters(scene);
+        let translucent = match traces_translucency && !casters.members.is_empty() {
+            true => Some(translucent_tree(scene, &casters, &materials, &mut vertices)?),
+            false => None,
+        };
         let mut stats = PackStats {
+            translucent_triangles: casters.members.iter().map(|&i| triangles_of(scene, i)).sum(),
+            is_translucency_traced: traces_translucency,
             triangles: scene.triangle_count() as u64,
             instances: scene.instances.len() as u64,
             instanced_meshes: groups.iter().filter(|g| g.is_instanced).count() as u64,
@@ -128,33 +153,35 @@ impl PackedScene {
             bounds: scene.bounds(),
             stats,
             previous_positions: Vec::new(),
+            translucent,
         };
         packed.stats.bvh_bytes = (size_of_val(packed.nodes())
             + size_of_val(packed.triangles())
-            + size_of_val(packed.instances())) as u64;
+            + size_of_val(packed.instances())
+            + packed.translucent.as_ref().map_or(0, |b| size_of_val(b.nodes()) + size_of_val(b.triangles())))
+            as u64;
         let moving = moving::moving_vertices(scene, &groups);
         (packed.still_draws, packed.moving_draws) = moving::split(&packed.draws, packed.triangles(), &moving);
         Ok(packed)
     }
 
-    /// [`PackedScene::new`], with the positions that its vertices had in the pose `before`.
+    /// The packed `scene`, with the positions that its vertices had in the pose `before`.
     ///
     /// # Errors
-    /// As [`PackedScene::new`], and where the poses have not the same instances with as many vertices each.
-    pub fn after(scene: &Scene, before: &Scene) -> Result<Self, RenderError> {
-        let mut packed = Self::new(scene)?;
-        let mut positions = Vec::with_capacity(packed.vertices.len());
+    /// [`RenderError::Build`] where the poses have not the same instances with as many vertices each.
+    pub fn after(mut self, scene: &Scene, before: &Scene) -> Result<Self, RenderError> {
+        let mut positions = Vec::with_capacity(self.vertices.len());
         for group in meshes::group(scene, BAKE_ALL_LIMIT) {
             if !meshes::push_positions(before, &group, &mut positions, scene) {
                 return Err(RenderError::Build("two poses of the scene differ in their vertices".to_owned()));
             }
         }
-        packed.previous_positions = positions;
-        Ok(packed)
+        self.previous_positions = positions;
+        Ok(self)
     }
 
     /// Positions of the vertices in the last pose, in their tree's space (`w` is 1), indexed as
-    /// [`PackedScene::vertices`]; empty for a scene made by [`PackedScene::new`].
+    /// [`PackedScene::vertices`]; empty without [`PackedScene::after`].
     pub fn previous_positions(&self) -> &[Vec4] {
         &self.previous_positions
     }
@@ -172,6 +199,12 @@ impl PackedScene {
     /// The trees.
     pub fn trees(&self) -> &Trees {
         &self.trees
+    }
+
+    /// Translucent casters in world space, where they tint light. They are among the other trees too, for the camera to
+    /// see, but cast nothing there.
+    pub fn translucent(&self) -> Option<&Bvh> {
+        self.translucent.as_ref()
     }
 
     /// Nodes of all trees; a TLAS, if any, comes last, its root at [`PackedScene::root`].
@@ -240,6 +273,24 @@ impl PackedScene {
     pub fn moving_draws(&self) -> &[DrawRange] {
         &self.moving_draws
     }
+}
+
+fn triangles_of(scene: &Scene, instance: usize) -> u64 {
+    scene.meshes[scene.instances[instance].mesh as usize].triangle_count() as u64
+}
+
+/// The tree of translucent casters; its vertices follow the others.
+fn translucent_tree(
+    scene: &Scene,
+    casters: &meshes::Group,
+    materials: &PackedMaterials,
+    vertices: &mut Vec<Vertex>,
+) -> Result<Bvh, RenderError> {
+    let soup = meshes::soup(scene, casters, materials, vertices.len());
+    let bvh = Bvh::build(&soup.positions, &soup.triangles, |_| true, BuildQuality::Medium)
+        .map_err(|e| RenderError::Build(e.to_string()))?;
+    meshes::push_vertices(scene, casters, materials, vertices);
+    Ok(bvh)
 }
 
 fn assemble(

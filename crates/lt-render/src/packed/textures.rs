@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use lt_scene::{Mesh, Scene, Texture, TextureRef, Wrap};
+use lt_scene::{AlphaMode, Mesh, Scene, Texture, TextureRef, Wrap};
 use lt_shaders::abi::Material;
 
 /// Colour textures are halved until neither side is longer. Coverage never is.
@@ -74,20 +74,28 @@ pub struct PackedMaterials {
     pub packed: Vec<Material>,
     /// Per scene material: the smallest texture alpha times factor.
     least_alpha: Vec<f32>,
+    /// Per scene material: whether it may block light.
+    may_cast: Vec<bool>,
 }
 
-/// Translates the scene's materials.
-pub fn pack_materials(scene: &Scene, textures: &PackedTextures) -> PackedMaterials {
-    let mut out = PackedMaterials { packed: Vec::new(), least_alpha: Vec::new() };
+/// Translates the scene's materials. Where translucency is traced, translucent ones block no light.
+pub fn pack_materials(
+    scene: &Scene,
+    textures: &PackedTextures,
+    traces_translucency: bool,
+) -> PackedMaterials {
+    let mut out = PackedMaterials { packed: Vec::new(), least_alpha: Vec::new(), may_cast: Vec::new() };
     for material in &scene.materials {
         let mut base = Material {
             base_color: material.base_color,
             cutoff: material.cutoff().unwrap_or(0.0),
+            flags: if material.alpha == AlphaMode::Blend { Material::BLENDS } else { 0 },
+            transmission: material.transmission,
             ..Material::default()
         };
         let mut least = material.base_color.w;
         if let Some(used) = material.texture {
-            base.flags = wrap_flags(used);
+            base.flags |= wrap_flags(used);
             if let Some(&(offset, size)) = textures.alpha.get(&used.texture) {
                 (base.alpha_offset, base.alpha_size) = (offset, size);
                 least *= textures.least_alpha[&used.texture];
@@ -97,6 +105,7 @@ pub fn pack_materials(scene: &Scene, textures: &PackedTextures) -> PackedMateria
             }
         }
         out.least_alpha.push(least);
+        out.may_cast.push(!(traces_translucency && material.is_translucent()));
         for variant in 0..4 {
             out.packed.push(Material { flags: base.flags | variant, ..base });
         }
@@ -109,6 +118,7 @@ const _: () = assert!(Material::CASTS == 1 && Material::RECEIVES == 2);
 impl PackedMaterials {
     /// Index of a scene material's variant.
     pub fn variant(&self, material: u32, casts: bool, receives: bool) -> u32 {
+        let casts = casts && self.may_cast[material as usize];
         material * 4 + u32::from(casts) * Material::CASTS + u32::from(receives) * Material::RECEIVES
     }
 

@@ -1,4 +1,5 @@
-//! `hairball`: curling strands of 576 triangles each around a core (the hair ball of Aila and Laine 2004).
+//! `hairball`: curling strands of 576 triangles each around a core (the hair ball of Aila and Laine 2004), and `strands`:
+//! the same of coloured strands, each of whose triangles takes away a tenth of the light.
 
 use lt_math::glam::{Affine3A, Vec3};
 use rayon::prelude::*;
@@ -9,7 +10,7 @@ use super::{
     numbers::{TAU, across, sin_cos, srgb},
     rng::Rng,
 };
-use crate::{Mesh, Scene};
+use crate::{Material, Mesh, Scene};
 
 /// Cross-section corners and lengthwise pieces: 3 · 96 · 2 = 576 triangles.
 const SIDES: usize = 3;
@@ -18,10 +19,33 @@ const VERTICES: usize = SIDES * (PIECES + 1);
 /// Where the ball's centre floats, metres.
 const CENTER: Vec3 = Vec3::new(0.0, 1.25, 0.0);
 
-/// `hairs` strands, each from its own random stream.
+/// Share of the light that a triangle of a coloured strand takes away (Aila and Laine 2004).
+const OPACITY: f32 = 0.1;
+/// What colour the rest takes, sRGB: strands of all six alternate.
+const COLORS: [u32; 6] = [0xe02020, 0xe0a010, 0x60c020, 0x10b0b0, 0x2040e0, 0xb020c0];
+
+/// `hairs` opaque strands, each from its own random stream.
 pub fn grow(hairs: u32, seed: u64) -> Scene {
     let mut kit = Kit::new("hairball");
     let hair = kit.plain("hair", srgb(0xb9824f));
+    ball(kit, hairs, seed, hair, Vec::new())
+}
+
+/// The same strands, coloured and translucent.
+pub fn grow_translucent(hairs: u32, seed: u64) -> Scene {
+    let mut kit = Kit::new("strands");
+    let material = Material { transmission: 1.0, ..Material::opaque("strand", Vec3::ONE) };
+    let hair = kit.material(material);
+    let color = |strand: usize| {
+        let passes = Vec3::splat(1.0 - OPACITY) + srgb(COLORS[strand % COLORS.len()]) * OPACITY;
+        let [r, g, b] = (passes * 255.0).round().to_array().map(|c| c as u8);
+        [r, g, b, 255]
+    };
+    let colors = (0..hairs as usize).flat_map(|i| std::iter::repeat_n(color(i), VERTICES)).collect();
+    ball(kit, hairs, seed, hair, colors)
+}
+
+fn ball(mut kit: Kit, hairs: u32, seed: u64, hair: u32, colors: Vec<[u8; 4]>) -> Scene {
     let core = kit.plain("core", srgb(0x80583a));
     let floor = kit.plain("floor", srgb(0xb8b4ac));
     let count = hairs as usize;
@@ -33,8 +57,8 @@ pub fn grow(hairs: u32, seed: u64) -> Scene {
         |(i, (positions, normals))| strand(positions, normals, thickness, &mut Rng::new(seed, 1 + i as u64)),
     );
     let indices = (0..hairs).flat_map(|i| strand_indices(i * VERTICES as u32)).collect();
-    let mesh =
-        Mesh { name: "hair".to_owned(), positions, normals, indices, material: hair, ..Mesh::default() };
+    let name = "hair".to_owned();
+    let mesh = Mesh { name, positions, normals, colors, indices, material: hair, ..Mesh::default() };
     kit.scene.place(mesh, Affine3A::IDENTITY);
     let mut model = Model::new();
     model.on(core).ellipsoid(CENTER, Vec3::splat(0.13), 24, 40);

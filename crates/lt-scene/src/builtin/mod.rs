@@ -1,4 +1,4 @@
-//! Procedural places: eight small worlds grown from a name, a size and a seed.
+//! Procedural places: nine small worlds grown from a name, a size and a seed.
 //!
 //! All are in metres with the ground near y = 0, carry one sun (`lights[0]`) and a view (`cameras[0]`), and depend on
 //! nothing but size, seed and, for what moves, time. Trigonometry and random numbers are our own (`numbers`, `rng`),
@@ -52,9 +52,10 @@ enum Kind {
     Cornell,
     Random,
     Hairball,
+    Strands,
 }
 
-static PLACES: [Place; 8] = [
+static PLACES: [Place; 9] = [
     Place {
         name: "street",
         summary: "old-town street: façades in grazing sun, balconies, thin overhead wires, bunting, cars, trees",
@@ -119,6 +120,14 @@ static PLACES: [Place; 8] = [
         sizes: 1..=10_000,
         kind: Kind::Hairball,
     },
+    Place {
+        name: "strands",
+        summary: "hair ball of coloured strands that let 90 % of the light through (with --translucent)",
+        size_meaning: "hairs",
+        default_size: 500,
+        sizes: 1..=10_000,
+        kind: Kind::Strands,
+    },
 ];
 
 /// A procedural place with its size and seed.
@@ -179,6 +188,7 @@ impl Builtin {
             Kind::Cornell => cornell::grow(size, seed),
             Kind::Random => random::grow(size, seed),
             Kind::Hairball => hairball::grow(size, seed),
+            Kind::Strands => hairball::grow_translucent(size, seed),
         }
     }
 
@@ -197,7 +207,9 @@ impl Builtin {
             Kind::Fence => CameraPath { truck: 0.5, sway: 0.02, ..still },
             // Around what floats or stands in the middle.
             Kind::Cornell => CameraPath { orbit_rad: 0.3, rise: 0.05, ..still },
-            Kind::Random | Kind::Hairball => CameraPath { orbit_rad: 0.6, dolly: 0.1, ..still },
+            Kind::Random | Kind::Hairball | Kind::Strands => {
+                CameraPath { orbit_rad: 0.6, dolly: 0.1, ..still }
+            }
         }
     }
 }

@@ -12,6 +12,7 @@ pub mod gbuffer;
 pub mod mask;
 pub mod resolve;
 pub mod shade;
+pub mod tint;
 
 use lt_math::glam::{UVec2, UVec3};
 

@@ -1,6 +1,6 @@
 //! Shading pass.
 
-use lt_math::glam::{UVec3, Vec3Swizzles};
+use lt_math::glam::{UVec3, Vec3, Vec3Swizzles, Vec4};
 use spirv_std::spirv;
 
 use super::pixel_index;
@@ -19,6 +19,21 @@ pub fn shade_cs(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] picture: &mut [u32],
 ) {
     if let Some(i) = pixel_index(id, p.camera.size) {
-        picture[i] = shade(id.xy(), &samples[i], visibility[i], p);
+        picture[i] = shade(id.xy(), &samples[i], Vec3::splat(visibility[i]), p);
+    }
+}
+
+/// One picture word per pixel, its light tinted.
+#[spirv(compute(threads(8, 8)))]
+pub fn shade_tinted_cs(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &ShadeParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] samples: &[Sample],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] visibility: &[f32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] picture: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] tints: &[Vec4],
+) {
+    if let Some(i) = pixel_index(id, p.camera.size) {
+        picture[i] = shade(id.xy(), &samples[i], tints[i].truncate() * visibility[i], p);
     }
 }

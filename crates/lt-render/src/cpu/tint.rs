@@ -1,0 +1,53 @@
+//! The tint pass: most rays meet nothing translucent, which the SIMD tracer finds out; the shared kernel follows the others.
+
+use lt_bvh::{Bvh, Opaque, Ray, Simd, Tracer};
+use lt_math::glam::Vec3;
+use lt_shaders::abi::{LightParams, Sample};
+use lt_shaders::resolve::{may_be_tinted, shadow_ray, trace_tint};
+use lt_shaders::surface::Translucence;
+use rayon::prelude::*;
+
+use super::tiles::BLOCK;
+use crate::PackedScene;
+
+/// Fills in what translucent casters let through to each sample; returns how many rays that took.
+pub fn trace(
+    scene: &PackedScene,
+    light: &LightParams,
+    samples: &[Sample],
+    visibility: &[f32],
+    tint: &mut [Vec3],
+) -> u64 {
+    let Some(bvh) = scene.translucent() else { return 0 };
+    let casters = Translucence {
+        triangles: bvh.triangles(),
+        vertices: scene.vertices(),
+        materials: scene.materials(),
+        alpha_texels: scene.alpha_texels(),
+        color_texels: scene.color_texels(),
+    };
+    let blocks = tint.par_chunks_mut(BLOCK).zip(samples.par_chunks(BLOCK)).zip(visibility.par_chunks(BLOCK));
+    blocks
+        .map(|((tint, samples), visibility)| trace_block(bvh, casters, light, samples, visibility, tint))
+        .sum()
+}
+
+fn trace_block(
+    bvh: &Bvh,
+    casters: Translucence<'_>,
+    light: &LightParams,
+    samples: &[Sample],
+    visibility: &[f32],
+    tint: &mut [Vec3],
+) -> u64 {
+    tint.fill(Vec3::ONE);
+    let reached: Vec<usize> =
+        (0..samples.len()).filter(|&i| may_be_tinted(&samples[i], light, visibility[i])).collect();
+    let rays: Vec<Ray> = reached.iter().map(|&i| shadow_ray(&samples[i], light)).collect();
+    let mut meets = vec![false; rays.len()];
+    Simd::new(bvh).occluded_batch(&rays, Opaque, &mut meets);
+    for (&i, _) in reached.iter().zip(&meets).filter(|(_, meets)| **meets) {
+        tint[i] = trace_tint(&samples[i], light, visibility[i], bvh.nodes(), casters);
+    }
+    rays.len() as u64
+}
