@@ -96,37 +96,37 @@ var<storage> levels: type_41;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_159_: lt_bvh_traverse_Tree;
-    var phi_160_: bool;
-    var phi_161_: lt_bvh_traverse_Tree;
-    var phi_162_: bool;
-    var phi_167_: lt_bvh_traverse_Tree;
+    var phi_160_: lt_bvh_traverse_Tree;
+    var phi_161_: bool;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_168_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_159_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_160_ = false;
+            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_161_ = false;
         } else {
-            phi_159_ = lt_bvh_traverse_Tree();
-            phi_160_ = true;
+            phi_160_ = lt_bvh_traverse_Tree();
+            phi_161_ = true;
         }
-        let _e64 = phi_159_;
-        let _e66 = phi_160_;
-        phi_161_ = _e64;
-        phi_162_ = _e66;
+        let _e65 = phi_160_;
+        let _e67 = phi_161_;
+        phi_162_ = _e65;
+        phi_163_ = _e67;
     } else {
-        phi_161_ = lt_bvh_traverse_Tree();
-        phi_162_ = true;
+        phi_162_ = lt_bvh_traverse_Tree();
+        phi_163_ = true;
     }
-    let _e68 = phi_161_;
-    let _e70 = phi_162_;
-    if _e70 {
-        phi_167_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e69 = phi_162_;
+    let _e71 = phi_163_;
+    if _e71 {
+        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_167_ = _e68;
+        phi_168_ = _e69;
     }
-    let _e75 = phi_167_;
-    return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
+    let _e76 = phi_168_;
+    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -134,167 +134,166 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_187_: bool;
-    var phi_191_: f32;
+    var phi_188_: bool;
+    var phi_192_: f32;
 
-    let _e52 = (*param_4);
+    let _e53 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_187_ = true;
+        phi_188_ = true;
     } else {
-        let _e56 = (84f < _e52);
-        if _e56 {
+        let _e57 = (84f < _e53);
+        if _e57 {
         }
-        phi_187_ = _e56;
+        phi_188_ = _e57;
     }
-    let _e58 = phi_187_;
-    if _e58 {
-        phi_191_ = 84f;
+    let _e59 = phi_188_;
+    if _e59 {
+        phi_192_ = 84f;
     } else {
-        phi_191_ = _e52;
+        phi_192_ = _e53;
     }
-    let _e60 = phi_191_;
-    return _e60;
+    let _e61 = phi_192_;
+    return _e61;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_210_: f32;
     var phi_211_: f32;
     var phi_212_: f32;
-    var phi_227_: f32;
-    var phi_232_: f32;
-    var phi_254_: f32;
-    var phi_259_: f32;
-    var phi_260_: bool;
-    var phi_261_: f32;
-    var phi_262_: bool;
-    var phi_266_: f32;
-    var phi_304_: f32;
-    var phi_320_: f32;
+    var phi_213_: f32;
+    var phi_228_: f32;
+    var phi_233_: f32;
+    var phi_255_: f32;
+    var phi_260_: f32;
+    var phi_261_: bool;
+    var phi_262_: f32;
+    var phi_263_: bool;
+    var phi_267_: f32;
+    var phi_305_: f32;
     var phi_321_: f32;
     var phi_322_: f32;
+    var phi_323_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_212_ = param_7;
+        phi_213_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_211_ = 0f;
+            phi_212_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_210_ = 1f;
+                phi_211_ = 1f;
             } else {
-                phi_210_ = param_7;
+                phi_211_ = param_7;
             }
-            let _e60 = phi_210_;
-            phi_211_ = _e60;
+            let _e61 = phi_211_;
+            phi_212_ = _e61;
         }
-        let _e62 = phi_211_;
-        phi_212_ = _e62;
+        let _e63 = phi_212_;
+        phi_213_ = _e63;
     }
-    let _e64 = phi_212_;
-    let _e66 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    let _e68 = (_e66 * (1f - _e64));
-    if ((bitcast<u32>(_e68) & 2147483647u) > 2139095040u) {
-        phi_304_ = _e68;
+    let _e65 = phi_213_;
+    let _e67 = _lt_math_esm_Esm_clamped_exponent(param_5);
+    let _e69 = (_e67 * (1f - _e65));
+    if ((bitcast<u32>(_e69) & 2147483647u) > 2139095040u) {
+        phi_305_ = _e69;
     } else {
-        if (_e68 < -87f) {
-            phi_227_ = -87f;
+        if (_e69 < -87f) {
+            phi_228_ = -87f;
         } else {
-            phi_227_ = _e68;
+            phi_228_ = _e69;
         }
-        let _e74 = phi_227_;
-        if (_e74 > 88f) {
-            phi_232_ = 88f;
+        let _e75 = phi_228_;
+        if (_e75 > 88f) {
+            phi_233_ = 88f;
         } else {
-            phi_232_ = _e74;
+            phi_233_ = _e75;
         }
-        let _e77 = phi_232_;
-        let _e79 = ((_e77 * 1.442695f) + 0.5f);
-        if (_e79 > -8388608f) {
-            let _e91 = f32(select(0i, select(select(i32(_e79), i32(-2147483648), (_e79 < bitcast<f32>(3472883712u))), 2147483647i, (_e79 > bitcast<f32>(1325400063u))), (_e79 == _e79)));
-            if (_e91 > _e79) {
-                phi_254_ = 1f;
+        let _e78 = phi_233_;
+        let _e80 = ((_e78 * 1.442695f) + 0.5f);
+        if (_e80 > -8388608f) {
+            let _e92 = f32(select(0i, select(select(i32(_e80), i32(-2147483648), (_e80 < bitcast<f32>(3472883712u))), 2147483647i, (_e80 > bitcast<f32>(1325400063u))), (_e80 == _e80)));
+            if (_e92 > _e80) {
+                phi_255_ = 1f;
             } else {
-                phi_254_ = 0f;
+                phi_255_ = 0f;
             }
-            let _e94 = phi_254_;
-            if (_e79 < 8388608f) {
-                phi_259_ = (_e91 - _e94);
-                phi_260_ = false;
+            let _e95 = phi_255_;
+            if (_e80 < 8388608f) {
+                phi_260_ = (_e92 - _e95);
+                phi_261_ = false;
             } else {
-                phi_259_ = f32();
-                phi_260_ = true;
+                phi_260_ = f32();
+                phi_261_ = true;
             }
-            let _e97 = phi_259_;
-            let _e99 = phi_260_;
-            phi_261_ = _e97;
-            phi_262_ = _e99;
+            let _e98 = phi_260_;
+            let _e100 = phi_261_;
+            phi_262_ = _e98;
+            phi_263_ = _e100;
         } else {
-            phi_261_ = f32();
-            phi_262_ = true;
+            phi_262_ = f32();
+            phi_263_ = true;
         }
-        let _e101 = phi_261_;
-        let _e103 = phi_262_;
-        if _e103 {
-            phi_266_ = _e79;
+        let _e102 = phi_262_;
+        let _e104 = phi_263_;
+        if _e104 {
+            phi_267_ = _e80;
         } else {
-            phi_266_ = _e101;
+            phi_267_ = _e102;
         }
-        let _e105 = phi_266_;
-        let _e109 = ((_e77 - (_e105 * 0.69314575f)) - (_e105 * 0.0000014286068f));
-        phi_304_ = ((((((((((((((((1f / 5040f) * _e109) + (1f / 720f)) * _e109) + (1f / 120f)) * _e109) + (1f / 24f)) * _e109) + (1f / 6f)) * _e109) + 0.5f) * _e109) + 1f) * _e109) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e105), i32(-2147483648), (_e105 < bitcast<f32>(3472883712u))), 2147483647i, (_e105 > bitcast<f32>(1325400063u))), (_e105 == _e105)) + 127i)) << bitcast<u32>(23i))));
+        let _e106 = phi_267_;
+        let _e110 = ((_e78 - (_e106 * 0.69314575f)) - (_e106 * 0.0000014286068f));
+        phi_305_ = ((((((((((((((((1f / 5040f) * _e110) + (1f / 720f)) * _e110) + (1f / 120f)) * _e110) + (1f / 24f)) * _e110) + (1f / 6f)) * _e110) + 0.5f) * _e110) + 1f) * _e110) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e106), i32(-2147483648), (_e106 < bitcast<f32>(3472883712u))), 2147483647i, (_e106 > bitcast<f32>(1325400063u))), (_e106 == _e106)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e145 = phi_304_;
-    let _e146 = (param_6.x * _e145);
-    if ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u) {
-        phi_322_ = _e146;
+    let _e146 = phi_305_;
+    let _e147 = (param_6.x * _e146);
+    if ((bitcast<u32>(_e147) & 2147483647u) > 2139095040u) {
+        phi_323_ = _e147;
     } else {
-        if (_e146 < 0f) {
-            phi_321_ = 0f;
+        if (_e147 < 0f) {
+            phi_322_ = 0f;
         } else {
-            if (_e146 > 1f) {
-                phi_320_ = 1f;
+            if (_e147 > 1f) {
+                phi_321_ = 1f;
             } else {
-                phi_320_ = _e146;
+                phi_321_ = _e147;
             }
-            let _e153 = phi_320_;
-            phi_321_ = _e153;
+            let _e154 = phi_321_;
+            phi_322_ = _e154;
         }
-        let _e155 = phi_321_;
-        phi_322_ = _e155;
+        let _e156 = phi_322_;
+        phi_323_ = _e156;
     }
-    let _e157 = phi_322_;
-    return _e157;
+    let _e158 = phi_323_;
+    return _e158;
 }
 
 fn function_() {
     var local: f32;
-    var phi_382_: bool;
     var phi_383_: bool;
     var phi_384_: bool;
     var phi_385_: bool;
-    var phi_389_: bool;
-    var phi_459_: bool;
+    var phi_386_: bool;
+    var phi_390_: bool;
     var phi_460_: bool;
-    var phi_471_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_472_: bool;
-    var phi_473_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_474_: bool;
-    var phi_481_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_485_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_505_: lt_math_LightPoint;
-    var phi_508_: u32;
-    var phi_510_: lt_math_LevelPoint;
-    var phi_596_: bool;
-    var phi_605_: bool;
-    var phi_614_: bool;
+    var phi_461_: bool;
+    var phi_472_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_473_: bool;
+    var phi_474_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_475_: bool;
+    var phi_482_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_486_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_506_: lt_math_LightPoint;
+    var phi_509_: u32;
+    var phi_511_: lt_math_LevelPoint;
+    var phi_597_: bool;
+    var phi_606_: bool;
     var phi_615_: bool;
     var phi_616_: bool;
     var phi_617_: bool;
     var phi_618_: bool;
     var phi_619_: bool;
     var phi_620_: bool;
-    var phi_624_: bool;
-    var phi_651_: bool;
+    var phi_621_: bool;
+    var phi_625_: bool;
     var phi_652_: bool;
     var phi_653_: bool;
     var phi_654_: bool;
@@ -302,595 +301,597 @@ fn function_() {
     var phi_656_: bool;
     var phi_657_: bool;
     var phi_658_: bool;
-    var phi_662_: bool;
-    var phi_671_: lt_math_LightPoint;
-    var phi_672_: u32;
-    var phi_673_: lt_math_LevelPoint;
-    var phi_674_: bool;
-    var phi_506_: lt_math_LightPoint;
-    var phi_509_: u32;
-    var phi_511_: lt_math_LevelPoint;
+    var phi_659_: bool;
+    var phi_663_: bool;
+    var phi_672_: lt_math_LightPoint;
+    var phi_673_: u32;
+    var phi_674_: lt_math_LevelPoint;
     var phi_675_: bool;
+    var phi_507_: lt_math_LightPoint;
+    var phi_510_: u32;
+    var phi_512_: lt_math_LevelPoint;
+    var phi_676_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_715_: bool;
     var phi_716_: bool;
     var phi_717_: bool;
     var phi_718_: bool;
-    var phi_722_: bool;
-    var phi_804_: f32;
-    var phi_920_: f32;
-    var phi_921_: f32;
+    var phi_719_: bool;
+    var phi_723_: bool;
+    var phi_805_: f32;
+    var phi_923_: f32;
     var phi_924_: f32;
-    var phi_953_: f32;
-    var phi_958_: f32;
-    var phi_959_: bool;
-    var phi_960_: f32;
-    var phi_961_: bool;
-    var phi_965_: f32;
-    var phi_985_: f32;
-    var phi_990_: f32;
-    var phi_991_: bool;
-    var phi_992_: f32;
-    var phi_993_: bool;
-    var phi_997_: f32;
+    var phi_927_: f32;
+    var phi_956_: f32;
+    var phi_961_: f32;
+    var phi_962_: bool;
+    var phi_963_: f32;
+    var phi_964_: bool;
+    var phi_968_: f32;
+    var phi_988_: f32;
+    var phi_993_: f32;
+    var phi_994_: bool;
+    var phi_995_: f32;
+    var phi_996_: bool;
+    var phi_1000_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1046_: i32;
-    var phi_1051_: i32;
-    var phi_1056_: i32;
-    var phi_1061_: i32;
-    var phi_1070_: i32;
-    var phi_1075_: i32;
-    var phi_1080_: i32;
-    var phi_1085_: i32;
-    var phi_1174_: evaluate_Verdict;
-    var phi_1175_: evaluate_Verdict;
-    var phi_1176_: bool;
+    var phi_1049_: i32;
+    var phi_1054_: i32;
+    var phi_1059_: i32;
+    var phi_1064_: i32;
+    var phi_1073_: i32;
+    var phi_1078_: i32;
+    var phi_1083_: i32;
+    var phi_1088_: i32;
     var phi_1177_: evaluate_Verdict;
     var phi_1178_: evaluate_Verdict;
     var phi_1179_: bool;
-    var phi_1183_: evaluate_Verdict;
+    var phi_1180_: evaluate_Verdict;
+    var phi_1181_: evaluate_Verdict;
+    var phi_1182_: bool;
+    var phi_1186_: evaluate_Verdict;
 
-    let _e52 = id_1;
-    let _e59 = arrayLength((&map.member));
-    let _e65 = arrayLength((&levels.member));
-    let _e68 = p.member.size[0u];
-    let _e70 = p.member.size[1u];
-    let _e71 = lt_shaders_entry_pixel_index(_e52, _e68, _e70);
-    if (bitcast<i32>(_e71.root) != 0i) {
-        let _e77 = p.member.level_count;
-        if (_e71.first_primitive < arrayLength((&samples.member))) {
+    let _e53 = id_1;
+    let _e60 = arrayLength((&map.member));
+    let _e66 = arrayLength((&levels.member));
+    let _e69 = p.member.size[0u];
+    let _e71 = p.member.size[1u];
+    let _e72 = lt_shaders_entry_pixel_index(_e53, _e69, _e71);
+    if (bitcast<i32>(_e72.root) != 0i) {
+        let _e78 = p.member.level_count;
+        if (_e72.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e84 = samples.member[(0u + _e71.first_primitive)].normal[0u];
-        let _e86 = global[0u];
-        if (_e84 == _e86) {
-            let _e89 = samples.member[(0u + _e71.first_primitive)].normal[1u];
-            let _e91 = global[1u];
-            if (_e89 == _e91) {
-                let _e94 = samples.member[(0u + _e71.first_primitive)].normal[2u];
-                let _e96 = global[2u];
-                phi_382_ = (_e94 == _e96);
-                phi_383_ = false;
+        let _e85 = samples.member[(0u + _e72.first_primitive)].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[(0u + _e72.first_primitive)].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[(0u + _e72.first_primitive)].normal[2u];
+                let _e97 = global[2u];
+                phi_383_ = (_e95 == _e97);
+                phi_384_ = false;
             } else {
-                phi_382_ = bool();
-                phi_383_ = true;
+                phi_383_ = bool();
+                phi_384_ = true;
             }
-            let _e99 = phi_382_;
-            let _e101 = phi_383_;
-            phi_384_ = _e99;
-            phi_385_ = _e101;
+            let _e100 = phi_383_;
+            let _e102 = phi_384_;
+            phi_385_ = _e100;
+            phi_386_ = _e102;
         } else {
-            phi_384_ = bool();
-            phi_385_ = true;
+            phi_385_ = bool();
+            phi_386_ = true;
         }
-        let _e103 = phi_384_;
-        let _e105 = phi_385_;
-        if _e105 {
-            phi_389_ = false;
+        let _e104 = phi_385_;
+        let _e106 = phi_386_;
+        if _e106 {
+            phi_390_ = false;
         } else {
-            phi_389_ = _e103;
+            phi_390_ = _e104;
         }
-        let _e107 = phi_389_;
-        if !(_e107) {
-            let _e110 = samples.member[(0u + _e71.first_primitive)].position;
-            let _e112 = p.member.light.place;
-            let _e118 = p.member.light.place[3u];
-            let _e125 = (_e112.x - (_e110.x * _e118));
-            let _e126 = (_e112.y - (_e110.y * _e118));
-            let _e127 = (_e112.z - (_e110.z * _e118));
-            let _e129 = samples.member[(0u + _e71.first_primitive)].normal;
-            if ((((_e129.x * _e125) + (_e129.y * _e126)) + (_e129.z * _e127)) > 0f) {
-                let _e143 = (((_e125 * _e125) + (_e126 * _e126)) + (_e127 * _e127));
-                let _e145 = p.member.light.axis;
-                let _e157 = p.member.light.place[3u];
-                if (_e157 == 0f) {
-                    phi_460_ = true;
+        let _e108 = phi_390_;
+        if !(_e108) {
+            let _e111 = samples.member[(0u + _e72.first_primitive)].position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = samples.member[(0u + _e72.first_primitive)].normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_461_ = true;
                 } else {
-                    let _e160 = p.member.light.range_squared;
-                    if (_e143 <= _e160) {
-                        let _e163 = p.member.light.cos_outer;
-                        phi_459_ = (-((((_e125 * _e145.x) + (_e126 * _e145.y)) + (_e127 * _e145.z))) >= (_e163 * sqrt(_e143)));
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_460_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_459_ = false;
+                        phi_460_ = false;
                     }
-                    let _e168 = phi_459_;
-                    phi_460_ = _e168;
+                    let _e169 = phi_460_;
+                    phi_461_ = _e169;
                 }
-                let _e170 = phi_460_;
-                if _e170 {
-                    let _e172 = samples.member[(0u + _e71.first_primitive)].flags;
-                    let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e180.unnamed.visibility, false), _e180.unnamed_1);
-                    phi_471_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e186.unnamed, ((_e172 & 1u) == 0u));
-                    phi_472_ = false;
+                let _e171 = phi_461_;
+                if _e171 {
+                    let _e173 = samples.member[(0u + _e72.first_primitive)].flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_473_ = false;
                 } else {
-                    phi_471_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_472_ = true;
+                    phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_473_ = true;
                 }
-                let _e191 = phi_471_;
-                let _e193 = phi_472_;
-                phi_473_ = _e191;
-                phi_474_ = _e193;
+                let _e192 = phi_472_;
+                let _e194 = phi_473_;
+                phi_474_ = _e192;
+                phi_475_ = _e194;
             } else {
-                phi_473_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_474_ = true;
+                phi_474_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_475_ = true;
             }
-            let _e195 = phi_473_;
-            let _e197 = phi_474_;
-            if _e197 {
-                let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
-                phi_481_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
+            let _e196 = phi_474_;
+            let _e198 = phi_475_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_481_ = _e195;
+                phi_482_ = _e196;
             }
-            let _e214 = phi_481_;
-            phi_485_ = _e214;
+            let _e215 = phi_482_;
+            phi_486_ = _e215;
         } else {
-            let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e226 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e220.unnamed.visibility, false), _e220.unnamed_1);
-            phi_485_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e226.unnamed, true);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e231 = phi_485_;
-        if _e231.unnamed_1 {
-            phi_1177_ = evaluate_Verdict(_e231.unnamed.visibility, _e231.unnamed.is_doubted);
-            phi_1178_ = evaluate_Verdict();
-            phi_1179_ = true;
+        let _e232 = phi_486_;
+        if _e232.unnamed_1 {
+            phi_1180_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
+            phi_1181_ = evaluate_Verdict();
+            phi_1182_ = true;
         } else {
-            let _e239 = samples.member[(0u + _e71.first_primitive)].position;
-            let _e241 = p.member.map_size;
-            let _e243 = (0.5f / f32(_e241));
-            let _e250 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e257 = lt_math_LightPoint(vec2<f32>(_e250.uv.x, 0f), _e250.depth, _e250.is_inside);
-            let _e261 = lt_math_LightPoint(_e257.uv, 0f, _e257.is_inside);
-            phi_505_ = lt_math_LightPoint();
-            phi_508_ = 0u;
-            phi_510_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e261.uv, _e261.depth, false));
+            let _e240 = samples.member[(0u + _e72.first_primitive)].position;
+            let _e242 = p.member.map_size;
+            let _e244 = (0.5f / f32(_e242));
+            let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
+            let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
+            phi_506_ = lt_math_LightPoint();
+            phi_509_ = 0u;
+            phi_511_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
             loop {
-                let _e268 = phi_505_;
-                let _e270 = phi_508_;
-                let _e272 = phi_510_;
-                local_1 = _e272;
-                local_2 = _e272;
-                local_3 = _e272;
-                if (_e270 < _e77) {
-                    if _e272.point.is_inside {
-                        phi_671_ = lt_math_LightPoint();
-                        phi_672_ = u32();
-                        phi_673_ = lt_math_LevelPoint();
-                        phi_674_ = false;
+                let _e269 = phi_506_;
+                let _e271 = phi_509_;
+                let _e273 = phi_511_;
+                local_1 = _e273;
+                local_2 = _e273;
+                local_3 = _e273;
+                if (_e271 < _e78) {
+                    if _e273.point.is_inside {
+                        phi_672_ = lt_math_LightPoint();
+                        phi_673_ = u32();
+                        phi_674_ = lt_math_LevelPoint();
+                        phi_675_ = false;
                     } else {
-                        if (_e270 < _e65) {
+                        if (_e271 < _e66) {
                         } else {
                             return;
                         }
-                        let _e283 = levels.member[(0u + _e270)].row_w;
-                        let _e294 = ((((_e283.x * _e239.x) + (_e283.y * _e239.y)) + (_e283.z * _e239.z)) + (_e283.w * 1f));
-                        let _e296 = levels.member[(0u + _e270)].row_x;
-                        let _e308 = (((((_e296.x * _e239.x) + (_e296.y * _e239.y)) + (_e296.z * _e239.z)) + (_e296.w * 1f)) / _e294);
-                        let _e310 = levels.member[(0u + _e270)].row_y;
-                        let _e322 = (((((_e310.x * _e239.x) + (_e310.y * _e239.y)) + (_e310.z * _e239.z)) + (_e310.w * 1f)) / _e294);
-                        let _e324 = levels.member[(0u + _e270)].row_z;
-                        let _e335 = ((((_e324.x * _e239.x) + (_e324.y * _e239.y)) + (_e324.z * _e239.z)) + (_e324.w * 1f));
-                        if (_e294 > 0f) {
-                            if (_e308 >= 0f) {
-                                phi_596_ = (_e308 <= 1f);
+                        let _e284 = levels.member[(0u + _e271)].row_w;
+                        let _e295 = ((((_e284.x * _e240.x) + (_e284.y * _e240.y)) + (_e284.z * _e240.z)) + (_e284.w * 1f));
+                        let _e297 = levels.member[(0u + _e271)].row_x;
+                        let _e309 = (((((_e297.x * _e240.x) + (_e297.y * _e240.y)) + (_e297.z * _e240.z)) + (_e297.w * 1f)) / _e295);
+                        let _e311 = levels.member[(0u + _e271)].row_y;
+                        let _e323 = (((((_e311.x * _e240.x) + (_e311.y * _e240.y)) + (_e311.z * _e240.z)) + (_e311.w * 1f)) / _e295);
+                        let _e325 = levels.member[(0u + _e271)].row_z;
+                        let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
+                        if (_e295 > 0f) {
+                            if (_e309 >= 0f) {
+                                phi_597_ = (_e309 <= 1f);
                             } else {
-                                phi_596_ = false;
+                                phi_597_ = false;
                             }
-                            let _e340 = phi_596_;
-                            if _e340 {
-                                if (_e322 >= 0f) {
-                                    phi_605_ = (_e322 <= 1f);
+                            let _e341 = phi_597_;
+                            if _e341 {
+                                if (_e323 >= 0f) {
+                                    phi_606_ = (_e323 <= 1f);
                                 } else {
-                                    phi_605_ = false;
+                                    phi_606_ = false;
                                 }
-                                let _e344 = phi_605_;
-                                if _e344 {
-                                    if (_e335 >= 0f) {
-                                        phi_614_ = (_e335 <= 1f);
+                                let _e345 = phi_606_;
+                                if _e345 {
+                                    if (_e336 >= 0f) {
+                                        phi_615_ = (_e336 <= 1f);
                                     } else {
-                                        phi_614_ = false;
+                                        phi_615_ = false;
                                     }
-                                    let _e348 = phi_614_;
-                                    phi_615_ = _e348;
-                                    phi_616_ = false;
+                                    let _e349 = phi_615_;
+                                    phi_616_ = _e349;
+                                    phi_617_ = false;
                                 } else {
-                                    phi_615_ = bool();
-                                    phi_616_ = true;
+                                    phi_616_ = bool();
+                                    phi_617_ = true;
                                 }
-                                let _e350 = phi_615_;
-                                let _e352 = phi_616_;
-                                phi_617_ = _e350;
-                                phi_618_ = _e352;
+                                let _e351 = phi_616_;
+                                let _e353 = phi_617_;
+                                phi_618_ = _e351;
+                                phi_619_ = _e353;
                             } else {
-                                phi_617_ = bool();
-                                phi_618_ = true;
+                                phi_618_ = bool();
+                                phi_619_ = true;
                             }
-                            let _e354 = phi_617_;
-                            let _e356 = phi_618_;
-                            phi_619_ = _e354;
-                            phi_620_ = _e356;
+                            let _e355 = phi_618_;
+                            let _e357 = phi_619_;
+                            phi_620_ = _e355;
+                            phi_621_ = _e357;
                         } else {
-                            phi_619_ = bool();
-                            phi_620_ = true;
+                            phi_620_ = bool();
+                            phi_621_ = true;
                         }
-                        let _e358 = phi_619_;
-                        let _e360 = phi_620_;
-                        if _e360 {
-                            phi_624_ = false;
+                        let _e359 = phi_620_;
+                        let _e361 = phi_621_;
+                        if _e361 {
+                            phi_625_ = false;
                         } else {
-                            phi_624_ = _e358;
+                            phi_625_ = _e359;
                         }
-                        let _e362 = phi_624_;
-                        if _e362 {
-                            if (_e308 >= _e243) {
-                                if (_e308 <= (1f - _e243)) {
-                                    if (_e322 >= _e243) {
-                                        phi_651_ = (_e322 <= (1f - _e243));
-                                        phi_652_ = false;
+                        let _e363 = phi_625_;
+                        if _e363 {
+                            if (_e309 >= _e244) {
+                                if (_e309 <= (1f - _e244)) {
+                                    if (_e323 >= _e244) {
+                                        phi_652_ = (_e323 <= (1f - _e244));
+                                        phi_653_ = false;
                                     } else {
-                                        phi_651_ = bool();
-                                        phi_652_ = true;
+                                        phi_652_ = bool();
+                                        phi_653_ = true;
                                     }
-                                    let _e370 = phi_651_;
-                                    let _e372 = phi_652_;
-                                    phi_653_ = _e370;
-                                    phi_654_ = _e372;
+                                    let _e371 = phi_652_;
+                                    let _e373 = phi_653_;
+                                    phi_654_ = _e371;
+                                    phi_655_ = _e373;
                                 } else {
-                                    phi_653_ = bool();
-                                    phi_654_ = true;
+                                    phi_654_ = bool();
+                                    phi_655_ = true;
                                 }
-                                let _e374 = phi_653_;
-                                let _e376 = phi_654_;
-                                phi_655_ = _e374;
-                                phi_656_ = _e376;
+                                let _e375 = phi_654_;
+                                let _e377 = phi_655_;
+                                phi_656_ = _e375;
+                                phi_657_ = _e377;
                             } else {
-                                phi_655_ = bool();
-                                phi_656_ = true;
+                                phi_656_ = bool();
+                                phi_657_ = true;
                             }
-                            let _e378 = phi_655_;
-                            let _e380 = phi_656_;
-                            phi_657_ = _e378;
-                            phi_658_ = _e380;
+                            let _e379 = phi_656_;
+                            let _e381 = phi_657_;
+                            phi_658_ = _e379;
+                            phi_659_ = _e381;
                         } else {
-                            phi_657_ = bool();
-                            phi_658_ = true;
+                            phi_658_ = bool();
+                            phi_659_ = true;
                         }
-                        let _e382 = phi_657_;
-                        let _e384 = phi_658_;
-                        if _e384 {
-                            phi_662_ = false;
+                        let _e383 = phi_658_;
+                        let _e385 = phi_659_;
+                        if _e385 {
+                            phi_663_ = false;
                         } else {
-                            phi_662_ = _e382;
+                            phi_663_ = _e383;
                         }
-                        let _e386 = phi_662_;
-                        let _e393 = lt_math_LightPoint(vec2<f32>(_e308, _e268.uv.y), _e268.depth, _e268.is_inside);
-                        let _e400 = lt_math_LightPoint(vec2<f32>(_e393.uv.x, _e322), _e393.depth, _e393.is_inside);
-                        let _e404 = lt_math_LightPoint(_e400.uv, _e335, _e400.is_inside);
-                        let _e408 = lt_math_LightPoint(_e404.uv, _e404.depth, _e386);
-                        phi_671_ = _e408;
-                        phi_672_ = (_e270 + 1u);
-                        phi_673_ = lt_math_LevelPoint(_e270, _e408);
-                        phi_674_ = true;
+                        let _e387 = phi_663_;
+                        let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
+                        let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
+                        let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
+                        let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
+                        phi_672_ = _e409;
+                        phi_673_ = (_e271 + 1u);
+                        phi_674_ = lt_math_LevelPoint(_e271, _e409);
+                        phi_675_ = true;
                     }
-                    let _e412 = phi_671_;
-                    let _e414 = phi_672_;
-                    let _e416 = phi_673_;
-                    let _e418 = phi_674_;
-                    phi_506_ = _e412;
-                    phi_509_ = _e414;
-                    phi_511_ = _e416;
-                    phi_675_ = _e418;
+                    let _e413 = phi_672_;
+                    let _e415 = phi_673_;
+                    let _e417 = phi_674_;
+                    let _e419 = phi_675_;
+                    phi_507_ = _e413;
+                    phi_510_ = _e415;
+                    phi_512_ = _e417;
+                    phi_676_ = _e419;
                 } else {
-                    phi_506_ = lt_math_LightPoint();
-                    phi_509_ = u32();
-                    phi_511_ = lt_math_LevelPoint();
-                    phi_675_ = false;
+                    phi_507_ = lt_math_LightPoint();
+                    phi_510_ = u32();
+                    phi_512_ = lt_math_LevelPoint();
+                    phi_676_ = false;
                 }
-                let _e420 = phi_506_;
-                let _e422 = phi_509_;
-                let _e424 = phi_511_;
-                let _e426 = phi_675_;
+                let _e421 = phi_507_;
+                let _e423 = phi_510_;
+                let _e425 = phi_512_;
+                let _e427 = phi_676_;
                 continue;
                 continuing {
-                    phi_505_ = _e420;
-                    phi_508_ = _e422;
-                    phi_510_ = _e424;
-                    break if !(_e426);
+                    phi_506_ = _e421;
+                    phi_509_ = _e423;
+                    phi_511_ = _e425;
+                    break if !(_e427);
                 }
             }
-            let _e429 = local_1;
-            if _e429.point.is_inside {
+            let _e430 = local_1;
+            if _e430.point.is_inside {
                 if (0f > 0f) {
-                    let _e435 = local_2;
-                    if (_e435.level < _e65) {
+                    let _e436 = local_2;
+                    if (_e436.level < _e66) {
                     } else {
                         return;
                     }
-                    let _e440 = levels.member[(0u + _e435.level)];
-                    let _e446 = global[0u];
-                    if (_e440.row_w.x == _e446) {
-                        let _e449 = global[1u];
-                        if (_e440.row_w.y == _e449) {
-                            let _e452 = global[2u];
-                            phi_715_ = (_e440.row_w.z == _e452);
-                            phi_716_ = false;
+                    let _e441 = levels.member[(0u + _e436.level)];
+                    let _e447 = global[0u];
+                    if (_e441.row_w.x == _e447) {
+                        let _e450 = global[1u];
+                        if (_e441.row_w.y == _e450) {
+                            let _e453 = global[2u];
+                            phi_716_ = (_e441.row_w.z == _e453);
+                            phi_717_ = false;
                         } else {
-                            phi_715_ = bool();
-                            phi_716_ = true;
+                            phi_716_ = bool();
+                            phi_717_ = true;
                         }
-                        let _e455 = phi_715_;
-                        let _e457 = phi_716_;
-                        phi_717_ = _e455;
-                        phi_718_ = _e457;
+                        let _e456 = phi_716_;
+                        let _e458 = phi_717_;
+                        phi_718_ = _e456;
+                        phi_719_ = _e458;
                     } else {
-                        phi_717_ = bool();
-                        phi_718_ = true;
+                        phi_718_ = bool();
+                        phi_719_ = true;
                     }
-                    let _e459 = phi_717_;
-                    let _e461 = phi_718_;
-                    if _e461 {
-                        phi_722_ = false;
+                    let _e460 = phi_718_;
+                    let _e462 = phi_719_;
+                    if _e462 {
+                        phi_723_ = false;
                     } else {
-                        phi_722_ = _e459;
+                        phi_723_ = _e460;
                     }
-                    let _e463 = phi_722_;
-                    if _e463 {
-                        let _e465 = samples.member[(0u + _e71.first_primitive)].normal;
-                        let _e467 = p.member.map_size;
-                        let _e537 = ((abs(((((_e440.row_x.x * _e465.x) + (_e440.row_x.y * _e465.y)) + (_e440.row_x.z * _e465.z)) / (((_e440.row_x.x * _e440.row_x.x) + (_e440.row_x.y * _e440.row_x.y)) + (_e440.row_x.z * _e440.row_x.z)))) + abs(((((_e440.row_y.x * _e465.x) + (_e440.row_y.y * _e465.y)) + (_e440.row_y.z * _e465.z)) / (((_e440.row_y.x * _e440.row_y.x) + (_e440.row_y.y * _e440.row_y.y)) + (_e440.row_y.z * _e440.row_y.z))))) / (abs(((((_e440.row_z.x * _e465.x) + (_e440.row_z.y * _e465.y)) + (_e440.row_z.z * _e465.z)) / (((_e440.row_z.x * _e440.row_z.x) + (_e440.row_z.y * _e440.row_z.y)) + (_e440.row_z.z * _e440.row_z.z)))) * f32(_e467)));
-                        if (_e537 < 0.002f) {
-                            phi_804_ = _e537;
+                    let _e464 = phi_723_;
+                    if _e464 {
+                        let _e466 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e468 = p.member.map_size;
+                        let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
+                        if (_e538 < 0.002f) {
+                            phi_805_ = _e538;
                         } else {
-                            phi_804_ = 0.002f;
+                            phi_805_ = 0.002f;
                         }
-                        let _e540 = phi_804_;
-                        phi_921_ = _e540;
+                        let _e541 = phi_805_;
+                        phi_924_ = _e541;
                     } else {
-                        let _e542 = p.member.map_size;
-                        let _e548 = samples.member[(0u + _e71.first_primitive)].position;
-                        let _e559 = ((((_e440.row_w.x * _e548.x) + (_e440.row_w.y * _e548.y)) + (_e440.row_w.z * _e548.z)) + _e440.row_w.w);
-                        let _e572 = ((_e440.row_x.x - (_e440.row_w.x * _e429.point.uv.x)) / _e559);
-                        let _e573 = ((_e440.row_x.y - (_e440.row_w.y * _e429.point.uv.x)) / _e559);
-                        let _e574 = ((_e440.row_x.z - (_e440.row_w.z * _e429.point.uv.x)) / _e559);
-                        let _e587 = ((_e440.row_y.x - (_e440.row_w.x * _e429.point.uv.y)) / _e559);
-                        let _e588 = ((_e440.row_y.y - (_e440.row_w.y * _e429.point.uv.y)) / _e559);
-                        let _e589 = ((_e440.row_y.z - (_e440.row_w.z * _e429.point.uv.y)) / _e559);
-                        let _e595 = samples.member[(0u + _e71.first_primitive)].normal;
-                        let _e600 = ((_e588 * _e595.z) - (_e595.y * _e589));
-                        let _e605 = ((_e589 * _e595.x) - (_e595.z * _e587));
-                        let _e610 = ((_e587 * _e595.y) - (_e595.x * _e588));
-                        let _e612 = samples.member[(0u + _e71.first_primitive)].normal;
-                        let _e617 = ((_e573 * _e612.z) - (_e612.y * _e574));
-                        let _e622 = ((_e574 * _e612.x) - (_e612.z * _e572));
-                        let _e627 = ((_e572 * _e612.y) - (_e612.x * _e573));
-                        let _e654 = ((abs(((((_e440.row_z.x * _e600) + (_e440.row_z.y * _e605)) + (_e440.row_z.z * _e610)) / (((_e572 * _e600) + (_e573 * _e605)) + (_e574 * _e610)))) + abs(((((_e440.row_z.x * _e617) + (_e440.row_z.y * _e622)) + (_e440.row_z.z * _e627)) / (((_e587 * _e617) + (_e588 * _e622)) + (_e589 * _e627))))) / f32(_e542));
-                        if (_e654 < 0.002f) {
-                            phi_920_ = _e654;
+                        let _e543 = p.member.map_size;
+                        let _e549 = samples.member[(0u + _e72.first_primitive)].position;
+                        let _e560 = ((((_e441.row_w.x * _e549.x) + (_e441.row_w.y * _e549.y)) + (_e441.row_w.z * _e549.z)) + _e441.row_w.w);
+                        let _e573 = ((_e441.row_x.x - (_e441.row_w.x * _e430.point.uv.x)) / _e560);
+                        let _e574 = ((_e441.row_x.y - (_e441.row_w.y * _e430.point.uv.x)) / _e560);
+                        let _e575 = ((_e441.row_x.z - (_e441.row_w.z * _e430.point.uv.x)) / _e560);
+                        let _e588 = ((_e441.row_y.x - (_e441.row_w.x * _e430.point.uv.y)) / _e560);
+                        let _e589 = ((_e441.row_y.y - (_e441.row_w.y * _e430.point.uv.y)) / _e560);
+                        let _e590 = ((_e441.row_y.z - (_e441.row_w.z * _e430.point.uv.y)) / _e560);
+                        let _e596 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e601 = ((_e589 * _e596.z) - (_e596.y * _e590));
+                        let _e606 = ((_e590 * _e596.x) - (_e596.z * _e588));
+                        let _e611 = ((_e588 * _e596.y) - (_e596.x * _e589));
+                        let _e613 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e618 = ((_e574 * _e613.z) - (_e613.y * _e575));
+                        let _e623 = ((_e575 * _e613.x) - (_e613.z * _e573));
+                        let _e628 = ((_e573 * _e613.y) - (_e613.x * _e574));
+                        let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
+                        let _e657 = (16f / f32(_e543));
+                        if (_e655 < _e657) {
+                            phi_923_ = _e655;
                         } else {
-                            phi_920_ = 0.002f;
+                            phi_923_ = _e657;
                         }
-                        let _e657 = phi_920_;
-                        phi_921_ = _e657;
+                        let _e660 = phi_923_;
+                        phi_924_ = _e660;
                     }
-                    let _e659 = phi_921_;
-                    phi_924_ = (_e429.point.depth - (0f * _e659));
+                    let _e662 = phi_924_;
+                    phi_927_ = (_e430.point.depth - (0f * _e662));
                 } else {
-                    phi_924_ = _e429.point.depth;
+                    phi_927_ = _e430.point.depth;
                 }
-                let _e663 = phi_924_;
-                let _e669 = p.member.map_size;
-                let _e670 = f32(_e669);
-                let _e673 = ((_e429.point.uv.x * _e670) - 0.5f);
-                let _e674 = ((_e429.point.uv.y * _e670) - 0.5f);
-                if (_e673 > -8388608f) {
-                    let _e686 = f32(select(0i, select(select(i32(_e673), i32(-2147483648), (_e673 < bitcast<f32>(3472883712u))), 2147483647i, (_e673 > bitcast<f32>(1325400063u))), (_e673 == _e673)));
-                    if (_e686 > _e673) {
-                        phi_953_ = 1f;
+                let _e666 = phi_927_;
+                let _e672 = p.member.map_size;
+                let _e673 = f32(_e672);
+                let _e676 = ((_e430.point.uv.x * _e673) - 0.5f);
+                let _e677 = ((_e430.point.uv.y * _e673) - 0.5f);
+                if (_e676 > -8388608f) {
+                    let _e689 = f32(select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < bitcast<f32>(3472883712u))), 2147483647i, (_e676 > bitcast<f32>(1325400063u))), (_e676 == _e676)));
+                    if (_e689 > _e676) {
+                        phi_956_ = 1f;
                     } else {
-                        phi_953_ = 0f;
+                        phi_956_ = 0f;
                     }
-                    let _e689 = phi_953_;
-                    if (_e673 < 8388608f) {
-                        phi_958_ = (_e686 - _e689);
-                        phi_959_ = false;
+                    let _e692 = phi_956_;
+                    if (_e676 < 8388608f) {
+                        phi_961_ = (_e689 - _e692);
+                        phi_962_ = false;
                     } else {
-                        phi_958_ = f32();
-                        phi_959_ = true;
+                        phi_961_ = f32();
+                        phi_962_ = true;
                     }
-                    let _e692 = phi_958_;
-                    let _e694 = phi_959_;
-                    phi_960_ = _e692;
-                    phi_961_ = _e694;
+                    let _e695 = phi_961_;
+                    let _e697 = phi_962_;
+                    phi_963_ = _e695;
+                    phi_964_ = _e697;
                 } else {
-                    phi_960_ = f32();
-                    phi_961_ = true;
+                    phi_963_ = f32();
+                    phi_964_ = true;
                 }
-                let _e696 = phi_960_;
-                let _e698 = phi_961_;
-                if _e698 {
-                    phi_965_ = _e673;
+                let _e699 = phi_963_;
+                let _e701 = phi_964_;
+                if _e701 {
+                    phi_968_ = _e676;
                 } else {
-                    phi_965_ = _e696;
+                    phi_968_ = _e699;
                 }
-                let _e700 = phi_965_;
-                if (_e674 > -8388608f) {
-                    let _e712 = f32(select(0i, select(select(i32(_e674), i32(-2147483648), (_e674 < bitcast<f32>(3472883712u))), 2147483647i, (_e674 > bitcast<f32>(1325400063u))), (_e674 == _e674)));
-                    if (_e712 > _e674) {
-                        phi_985_ = 1f;
+                let _e703 = phi_968_;
+                if (_e677 > -8388608f) {
+                    let _e715 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
+                    if (_e715 > _e677) {
+                        phi_988_ = 1f;
                     } else {
-                        phi_985_ = 0f;
+                        phi_988_ = 0f;
                     }
-                    let _e715 = phi_985_;
-                    if (_e674 < 8388608f) {
-                        phi_990_ = (_e712 - _e715);
-                        phi_991_ = false;
+                    let _e718 = phi_988_;
+                    if (_e677 < 8388608f) {
+                        phi_993_ = (_e715 - _e718);
+                        phi_994_ = false;
                     } else {
-                        phi_990_ = f32();
-                        phi_991_ = true;
+                        phi_993_ = f32();
+                        phi_994_ = true;
                     }
-                    let _e718 = phi_990_;
-                    let _e720 = phi_991_;
-                    phi_992_ = _e718;
-                    phi_993_ = _e720;
+                    let _e721 = phi_993_;
+                    let _e723 = phi_994_;
+                    phi_995_ = _e721;
+                    phi_996_ = _e723;
                 } else {
-                    phi_992_ = f32();
-                    phi_993_ = true;
+                    phi_995_ = f32();
+                    phi_996_ = true;
                 }
-                let _e722 = phi_992_;
-                let _e724 = phi_993_;
-                if _e724 {
-                    phi_997_ = _e674;
+                let _e725 = phi_995_;
+                let _e727 = phi_996_;
+                if _e727 {
+                    phi_1000_ = _e677;
                 } else {
-                    phi_997_ = _e722;
+                    phi_1000_ = _e725;
                 }
-                let _e726 = phi_997_;
-                let _e727 = (_e673 - _e700);
-                let _e728 = (_e674 - _e726);
-                let _e737 = select(0i, select(select(i32(_e700), i32(-2147483648), (_e700 < bitcast<f32>(3472883712u))), 2147483647i, (_e700 > bitcast<f32>(1325400063u))), (_e700 == _e700));
-                let _e746 = select(0i, select(select(i32(_e726), i32(-2147483648), (_e726 < bitcast<f32>(3472883712u))), 2147483647i, (_e726 > bitcast<f32>(1325400063u))), (_e726 == _e726));
-                let _e749 = ((1f - _e727) * (1f - _e728));
-                let _e751 = (_e727 * (1f - _e728));
-                let _e753 = ((1f - _e727) * _e728);
-                let _e754 = (_e727 * _e728);
-                let _e756 = p.member.test;
-                let _e757 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e756);
-                let _e759 = p.member.map_size;
-                let _e761 = local_3;
-                local = _e757;
-                let _e764 = ((_e761.level * _e759) * _e759);
-                let _e766 = (bitcast<i32>(_e759) - 1i);
-                if (_e737 > 0i) {
-                    phi_1046_ = _e737;
+                let _e729 = phi_1000_;
+                let _e730 = (_e676 - _e703);
+                let _e731 = (_e677 - _e729);
+                let _e740 = select(0i, select(select(i32(_e703), i32(-2147483648), (_e703 < bitcast<f32>(3472883712u))), 2147483647i, (_e703 > bitcast<f32>(1325400063u))), (_e703 == _e703));
+                let _e749 = select(0i, select(select(i32(_e729), i32(-2147483648), (_e729 < bitcast<f32>(3472883712u))), 2147483647i, (_e729 > bitcast<f32>(1325400063u))), (_e729 == _e729));
+                let _e752 = ((1f - _e730) * (1f - _e731));
+                let _e754 = (_e730 * (1f - _e731));
+                let _e756 = ((1f - _e730) * _e731);
+                let _e757 = (_e730 * _e731);
+                let _e759 = p.member.test;
+                let _e760 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e759);
+                let _e762 = p.member.map_size;
+                let _e764 = local_3;
+                local = _e760;
+                let _e767 = ((_e764.level * _e762) * _e762);
+                let _e769 = (bitcast<i32>(_e762) - 1i);
+                if (_e740 > 0i) {
+                    phi_1049_ = _e740;
                 } else {
-                    phi_1046_ = 0i;
+                    phi_1049_ = 0i;
                 }
-                let _e769 = phi_1046_;
-                if (_e746 > 0i) {
-                    phi_1051_ = _e746;
+                let _e772 = phi_1049_;
+                if (_e749 > 0i) {
+                    phi_1054_ = _e749;
                 } else {
-                    phi_1051_ = 0i;
+                    phi_1054_ = 0i;
                 }
-                let _e772 = phi_1051_;
-                if (_e769 < _e766) {
-                    phi_1056_ = _e769;
+                let _e775 = phi_1054_;
+                if (_e772 < _e769) {
+                    phi_1059_ = _e772;
                 } else {
-                    phi_1056_ = _e766;
+                    phi_1059_ = _e769;
                 }
-                let _e775 = phi_1056_;
-                if (_e772 < _e766) {
-                    phi_1061_ = _e772;
+                let _e778 = phi_1059_;
+                if (_e775 < _e769) {
+                    phi_1064_ = _e775;
                 } else {
-                    phi_1061_ = _e766;
+                    phi_1064_ = _e769;
                 }
-                let _e778 = phi_1061_;
-                let _e779 = bitcast<u32>(_e775);
-                let _e781 = (_e737 + 1i);
-                let _e782 = (_e746 + 1i);
-                if (_e781 > 0i) {
-                    phi_1070_ = _e781;
+                let _e781 = phi_1064_;
+                let _e782 = bitcast<u32>(_e778);
+                let _e784 = (_e740 + 1i);
+                let _e785 = (_e749 + 1i);
+                if (_e784 > 0i) {
+                    phi_1073_ = _e784;
                 } else {
-                    phi_1070_ = 0i;
+                    phi_1073_ = 0i;
                 }
-                let _e785 = phi_1070_;
-                if (_e782 > 0i) {
-                    phi_1075_ = _e782;
+                let _e788 = phi_1073_;
+                if (_e785 > 0i) {
+                    phi_1078_ = _e785;
                 } else {
-                    phi_1075_ = 0i;
+                    phi_1078_ = 0i;
                 }
-                let _e788 = phi_1075_;
-                if (_e785 < _e766) {
-                    phi_1080_ = _e785;
+                let _e791 = phi_1078_;
+                if (_e788 < _e769) {
+                    phi_1083_ = _e788;
                 } else {
-                    phi_1080_ = _e766;
+                    phi_1083_ = _e769;
                 }
-                let _e791 = phi_1080_;
-                if (_e788 < _e766) {
-                    phi_1085_ = _e788;
+                let _e794 = phi_1083_;
+                if (_e791 < _e769) {
+                    phi_1088_ = _e791;
                 } else {
-                    phi_1085_ = _e766;
+                    phi_1088_ = _e769;
                 }
-                let _e794 = phi_1085_;
-                let _e795 = bitcast<u32>(_e791);
-                let _e797 = (bitcast<u32>(_e778) * _e759);
-                let _e798 = (bitcast<u32>(_e794) * _e759);
-                let _e803 = ((_e797 + _e779) + _e764);
-                let _e804 = ((_e797 + _e795) + _e764);
-                let _e805 = ((_e798 + _e779) + _e764);
-                let _e806 = ((_e798 + _e795) + _e764);
-                if (_e803 < _e59) {
+                let _e797 = phi_1088_;
+                let _e798 = bitcast<u32>(_e794);
+                let _e800 = (bitcast<u32>(_e781) * _e762);
+                let _e801 = (bitcast<u32>(_e797) * _e762);
+                let _e806 = ((_e800 + _e782) + _e767);
+                let _e807 = ((_e800 + _e798) + _e767);
+                let _e808 = ((_e801 + _e782) + _e767);
+                let _e809 = ((_e801 + _e798) + _e767);
+                if (_e806 < _e60) {
                 } else {
                     return;
                 }
-                let _e810 = map.member[(0u + _e803)];
-                if (_e804 < _e59) {
+                let _e813 = map.member[(0u + _e806)];
+                if (_e807 < _e60) {
                 } else {
                     return;
                 }
-                let _e822 = map.member[(0u + _e804)];
-                if (_e805 < _e59) {
+                let _e825 = map.member[(0u + _e807)];
+                if (_e808 < _e60) {
                 } else {
                     return;
                 }
-                let _e838 = map.member[(0u + _e805)];
-                if (_e806 < _e59) {
+                let _e841 = map.member[(0u + _e808)];
+                if (_e809 < _e60) {
                 } else {
                     return;
                 }
-                let _e854 = map.member[(0u + _e806)];
-                let _e868 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e810.x * _e749) + (_e822.x * _e751)) + (_e838.x * _e753)) + (_e854.x * _e754)), ((((_e810.y * _e749) + (_e822.y * _e751)) + (_e838.y * _e753)) + (_e854.y * _e754)), ((((_e810.z * _e749) + (_e822.z * _e751)) + (_e838.z * _e753)) + (_e854.z * _e754)), ((((_e810.w * _e749) + (_e822.w * _e751)) + (_e838.w * _e753)) + (_e854.w * _e754))), _e663);
-                phi_1174_ = evaluate_Verdict(_e868, false);
-                phi_1175_ = evaluate_Verdict();
-                phi_1176_ = false;
+                let _e857 = map.member[(0u + _e809)];
+                let _e871 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e813.x * _e752) + (_e825.x * _e754)) + (_e841.x * _e756)) + (_e857.x * _e757)), ((((_e813.y * _e752) + (_e825.y * _e754)) + (_e841.y * _e756)) + (_e857.y * _e757)), ((((_e813.z * _e752) + (_e825.z * _e754)) + (_e841.z * _e756)) + (_e857.z * _e757)), ((((_e813.w * _e752) + (_e825.w * _e754)) + (_e841.w * _e756)) + (_e857.w * _e757))), _e666);
+                phi_1177_ = evaluate_Verdict(_e871, false);
+                phi_1178_ = evaluate_Verdict();
+                phi_1179_ = false;
             } else {
-                phi_1174_ = evaluate_Verdict();
-                phi_1175_ = evaluate_Verdict(1f, false);
-                phi_1176_ = true;
+                phi_1177_ = evaluate_Verdict();
+                phi_1178_ = evaluate_Verdict(1f, false);
+                phi_1179_ = true;
             }
-            let _e872 = phi_1174_;
-            let _e874 = phi_1175_;
-            let _e876 = phi_1176_;
-            phi_1177_ = _e874;
-            phi_1178_ = _e872;
-            phi_1179_ = _e876;
+            let _e875 = phi_1177_;
+            let _e877 = phi_1178_;
+            let _e879 = phi_1179_;
+            phi_1180_ = _e877;
+            phi_1181_ = _e875;
+            phi_1182_ = _e879;
         }
-        let _e878 = phi_1177_;
-        let _e880 = phi_1178_;
-        let _e882 = phi_1179_;
-        if _e882 {
-            phi_1183_ = _e878;
+        let _e881 = phi_1180_;
+        let _e883 = phi_1181_;
+        let _e885 = phi_1182_;
+        if _e885 {
+            phi_1186_ = _e881;
         } else {
-            phi_1183_ = _e880;
+            phi_1186_ = _e883;
         }
-        let _e884 = phi_1183_;
-        if (_e71.first_primitive < arrayLength((&visibility.member))) {
+        let _e887 = phi_1186_;
+        if (_e72.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e71.first_primitive)] = _e884.visibility;
+        visibility.member[(0u + _e72.first_primitive)] = _e887.visibility;
     }
     return;
 }

@@ -96,37 +96,37 @@ var<storage> levels: type_41;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_160_: lt_bvh_traverse_Tree;
-    var phi_161_: bool;
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_161_: lt_bvh_traverse_Tree;
+    var phi_162_: bool;
+    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_164_: bool;
+    var phi_169_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_161_ = false;
+            phi_161_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_162_ = false;
         } else {
-            phi_160_ = lt_bvh_traverse_Tree();
-            phi_161_ = true;
+            phi_161_ = lt_bvh_traverse_Tree();
+            phi_162_ = true;
         }
-        let _e64 = phi_160_;
-        let _e66 = phi_161_;
-        phi_162_ = _e64;
-        phi_163_ = _e66;
+        let _e65 = phi_161_;
+        let _e67 = phi_162_;
+        phi_163_ = _e65;
+        phi_164_ = _e67;
     } else {
-        phi_162_ = lt_bvh_traverse_Tree();
-        phi_163_ = true;
+        phi_163_ = lt_bvh_traverse_Tree();
+        phi_164_ = true;
     }
-    let _e68 = phi_162_;
-    let _e70 = phi_163_;
-    if _e70 {
-        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e69 = phi_163_;
+    let _e71 = phi_164_;
+    if _e71 {
+        phi_169_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_168_ = _e68;
+        phi_169_ = _e69;
     }
-    let _e75 = phi_168_;
-    return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
+    let _e76 = phi_169_;
+    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -134,167 +134,166 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_188_: bool;
-    var phi_192_: f32;
+    var phi_189_: bool;
+    var phi_193_: f32;
 
-    let _e52 = (*param_4);
+    let _e53 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_188_ = true;
+        phi_189_ = true;
     } else {
-        let _e56 = (84f < _e52);
-        if _e56 {
+        let _e57 = (84f < _e53);
+        if _e57 {
         }
-        phi_188_ = _e56;
+        phi_189_ = _e57;
     }
-    let _e58 = phi_188_;
-    if _e58 {
-        phi_192_ = 84f;
+    let _e59 = phi_189_;
+    if _e59 {
+        phi_193_ = 84f;
     } else {
-        phi_192_ = _e52;
+        phi_193_ = _e53;
     }
-    let _e60 = phi_192_;
-    return _e60;
+    let _e61 = phi_193_;
+    return _e61;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_211_: f32;
     var phi_212_: f32;
     var phi_213_: f32;
-    var phi_228_: f32;
-    var phi_233_: f32;
-    var phi_255_: f32;
-    var phi_260_: f32;
-    var phi_261_: bool;
-    var phi_262_: f32;
-    var phi_263_: bool;
-    var phi_267_: f32;
-    var phi_305_: f32;
-    var phi_321_: f32;
+    var phi_214_: f32;
+    var phi_229_: f32;
+    var phi_234_: f32;
+    var phi_256_: f32;
+    var phi_261_: f32;
+    var phi_262_: bool;
+    var phi_263_: f32;
+    var phi_264_: bool;
+    var phi_268_: f32;
+    var phi_306_: f32;
     var phi_322_: f32;
     var phi_323_: f32;
+    var phi_324_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_213_ = param_7;
+        phi_214_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_212_ = 0f;
+            phi_213_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_211_ = 1f;
+                phi_212_ = 1f;
             } else {
-                phi_211_ = param_7;
+                phi_212_ = param_7;
             }
-            let _e60 = phi_211_;
-            phi_212_ = _e60;
+            let _e61 = phi_212_;
+            phi_213_ = _e61;
         }
-        let _e62 = phi_212_;
-        phi_213_ = _e62;
+        let _e63 = phi_213_;
+        phi_214_ = _e63;
     }
-    let _e64 = phi_213_;
-    let _e66 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    let _e68 = (_e66 * (1f - _e64));
-    if ((bitcast<u32>(_e68) & 2147483647u) > 2139095040u) {
-        phi_305_ = _e68;
+    let _e65 = phi_214_;
+    let _e67 = _lt_math_esm_Esm_clamped_exponent(param_5);
+    let _e69 = (_e67 * (1f - _e65));
+    if ((bitcast<u32>(_e69) & 2147483647u) > 2139095040u) {
+        phi_306_ = _e69;
     } else {
-        if (_e68 < -87f) {
-            phi_228_ = -87f;
+        if (_e69 < -87f) {
+            phi_229_ = -87f;
         } else {
-            phi_228_ = _e68;
+            phi_229_ = _e69;
         }
-        let _e74 = phi_228_;
-        if (_e74 > 88f) {
-            phi_233_ = 88f;
+        let _e75 = phi_229_;
+        if (_e75 > 88f) {
+            phi_234_ = 88f;
         } else {
-            phi_233_ = _e74;
+            phi_234_ = _e75;
         }
-        let _e77 = phi_233_;
-        let _e79 = ((_e77 * 1.442695f) + 0.5f);
-        if (_e79 > -8388608f) {
-            let _e91 = f32(select(0i, select(select(i32(_e79), i32(-2147483648), (_e79 < bitcast<f32>(3472883712u))), 2147483647i, (_e79 > bitcast<f32>(1325400063u))), (_e79 == _e79)));
-            if (_e91 > _e79) {
-                phi_255_ = 1f;
+        let _e78 = phi_234_;
+        let _e80 = ((_e78 * 1.442695f) + 0.5f);
+        if (_e80 > -8388608f) {
+            let _e92 = f32(select(0i, select(select(i32(_e80), i32(-2147483648), (_e80 < bitcast<f32>(3472883712u))), 2147483647i, (_e80 > bitcast<f32>(1325400063u))), (_e80 == _e80)));
+            if (_e92 > _e80) {
+                phi_256_ = 1f;
             } else {
-                phi_255_ = 0f;
+                phi_256_ = 0f;
             }
-            let _e94 = phi_255_;
-            if (_e79 < 8388608f) {
-                phi_260_ = (_e91 - _e94);
-                phi_261_ = false;
+            let _e95 = phi_256_;
+            if (_e80 < 8388608f) {
+                phi_261_ = (_e92 - _e95);
+                phi_262_ = false;
             } else {
-                phi_260_ = f32();
-                phi_261_ = true;
+                phi_261_ = f32();
+                phi_262_ = true;
             }
-            let _e97 = phi_260_;
-            let _e99 = phi_261_;
-            phi_262_ = _e97;
-            phi_263_ = _e99;
+            let _e98 = phi_261_;
+            let _e100 = phi_262_;
+            phi_263_ = _e98;
+            phi_264_ = _e100;
         } else {
-            phi_262_ = f32();
-            phi_263_ = true;
+            phi_263_ = f32();
+            phi_264_ = true;
         }
-        let _e101 = phi_262_;
-        let _e103 = phi_263_;
-        if _e103 {
-            phi_267_ = _e79;
+        let _e102 = phi_263_;
+        let _e104 = phi_264_;
+        if _e104 {
+            phi_268_ = _e80;
         } else {
-            phi_267_ = _e101;
+            phi_268_ = _e102;
         }
-        let _e105 = phi_267_;
-        let _e109 = ((_e77 - (_e105 * 0.69314575f)) - (_e105 * 0.0000014286068f));
-        phi_305_ = ((((((((((((((((1f / 5040f) * _e109) + (1f / 720f)) * _e109) + (1f / 120f)) * _e109) + (1f / 24f)) * _e109) + (1f / 6f)) * _e109) + 0.5f) * _e109) + 1f) * _e109) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e105), i32(-2147483648), (_e105 < bitcast<f32>(3472883712u))), 2147483647i, (_e105 > bitcast<f32>(1325400063u))), (_e105 == _e105)) + 127i)) << bitcast<u32>(23i))));
+        let _e106 = phi_268_;
+        let _e110 = ((_e78 - (_e106 * 0.69314575f)) - (_e106 * 0.0000014286068f));
+        phi_306_ = ((((((((((((((((1f / 5040f) * _e110) + (1f / 720f)) * _e110) + (1f / 120f)) * _e110) + (1f / 24f)) * _e110) + (1f / 6f)) * _e110) + 0.5f) * _e110) + 1f) * _e110) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e106), i32(-2147483648), (_e106 < bitcast<f32>(3472883712u))), 2147483647i, (_e106 > bitcast<f32>(1325400063u))), (_e106 == _e106)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e145 = phi_305_;
-    let _e146 = (param_6.x * _e145);
-    if ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u) {
-        phi_323_ = _e146;
+    let _e146 = phi_306_;
+    let _e147 = (param_6.x * _e146);
+    if ((bitcast<u32>(_e147) & 2147483647u) > 2139095040u) {
+        phi_324_ = _e147;
     } else {
-        if (_e146 < 0f) {
-            phi_322_ = 0f;
+        if (_e147 < 0f) {
+            phi_323_ = 0f;
         } else {
-            if (_e146 > 1f) {
-                phi_321_ = 1f;
+            if (_e147 > 1f) {
+                phi_322_ = 1f;
             } else {
-                phi_321_ = _e146;
+                phi_322_ = _e147;
             }
-            let _e153 = phi_321_;
-            phi_322_ = _e153;
+            let _e154 = phi_322_;
+            phi_323_ = _e154;
         }
-        let _e155 = phi_322_;
-        phi_323_ = _e155;
+        let _e156 = phi_323_;
+        phi_324_ = _e156;
     }
-    let _e157 = phi_323_;
-    return _e157;
+    let _e158 = phi_324_;
+    return _e158;
 }
 
 fn function_() {
     var local: f32;
-    var phi_383_: bool;
     var phi_384_: bool;
     var phi_385_: bool;
     var phi_386_: bool;
-    var phi_390_: bool;
-    var phi_460_: bool;
+    var phi_387_: bool;
+    var phi_391_: bool;
     var phi_461_: bool;
-    var phi_472_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_473_: bool;
-    var phi_474_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_475_: bool;
-    var phi_482_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_486_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_506_: lt_math_LightPoint;
-    var phi_509_: u32;
-    var phi_511_: lt_math_LevelPoint;
-    var phi_597_: bool;
-    var phi_606_: bool;
-    var phi_615_: bool;
+    var phi_462_: bool;
+    var phi_473_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_474_: bool;
+    var phi_475_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_476_: bool;
+    var phi_483_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_487_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_507_: lt_math_LightPoint;
+    var phi_510_: u32;
+    var phi_512_: lt_math_LevelPoint;
+    var phi_598_: bool;
+    var phi_607_: bool;
     var phi_616_: bool;
     var phi_617_: bool;
     var phi_618_: bool;
     var phi_619_: bool;
     var phi_620_: bool;
     var phi_621_: bool;
-    var phi_625_: bool;
-    var phi_652_: bool;
+    var phi_622_: bool;
+    var phi_626_: bool;
     var phi_653_: bool;
     var phi_654_: bool;
     var phi_655_: bool;
@@ -302,622 +301,624 @@ fn function_() {
     var phi_657_: bool;
     var phi_658_: bool;
     var phi_659_: bool;
-    var phi_663_: bool;
-    var phi_672_: lt_math_LightPoint;
-    var phi_673_: u32;
-    var phi_674_: lt_math_LevelPoint;
-    var phi_675_: bool;
-    var phi_507_: lt_math_LightPoint;
-    var phi_510_: u32;
-    var phi_512_: lt_math_LevelPoint;
+    var phi_660_: bool;
+    var phi_664_: bool;
+    var phi_673_: lt_math_LightPoint;
+    var phi_674_: u32;
+    var phi_675_: lt_math_LevelPoint;
     var phi_676_: bool;
+    var phi_508_: lt_math_LightPoint;
+    var phi_511_: u32;
+    var phi_513_: lt_math_LevelPoint;
+    var phi_677_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_716_: bool;
     var phi_717_: bool;
     var phi_718_: bool;
     var phi_719_: bool;
-    var phi_723_: bool;
-    var phi_805_: f32;
-    var phi_921_: f32;
-    var phi_922_: f32;
+    var phi_720_: bool;
+    var phi_724_: bool;
+    var phi_806_: f32;
+    var phi_924_: f32;
     var phi_925_: f32;
-    var phi_954_: f32;
-    var phi_959_: f32;
-    var phi_960_: bool;
-    var phi_961_: f32;
-    var phi_962_: bool;
-    var phi_966_: f32;
-    var phi_986_: f32;
-    var phi_991_: f32;
-    var phi_992_: bool;
-    var phi_993_: f32;
-    var phi_994_: bool;
-    var phi_998_: f32;
+    var phi_928_: f32;
+    var phi_957_: f32;
+    var phi_962_: f32;
+    var phi_963_: bool;
+    var phi_964_: f32;
+    var phi_965_: bool;
+    var phi_969_: f32;
+    var phi_989_: f32;
+    var phi_994_: f32;
+    var phi_995_: bool;
+    var phi_996_: f32;
+    var phi_997_: bool;
+    var phi_1001_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1047_: i32;
-    var phi_1052_: i32;
-    var phi_1057_: i32;
-    var phi_1062_: i32;
-    var phi_1071_: i32;
-    var phi_1076_: i32;
-    var phi_1081_: i32;
-    var phi_1086_: i32;
-    var phi_1181_: bool;
-    var phi_1189_: bool;
-    var phi_1201_: bool;
-    var phi_1202_: bool;
-    var phi_1206_: f32;
-    var phi_1212_: f32;
-    var phi_1214_: evaluate_Verdict;
-    var phi_1219_: evaluate_Verdict;
-    var phi_1220_: evaluate_Verdict;
+    var phi_1050_: i32;
+    var phi_1055_: i32;
+    var phi_1060_: i32;
+    var phi_1065_: i32;
+    var phi_1074_: i32;
+    var phi_1079_: i32;
+    var phi_1084_: i32;
+    var phi_1089_: i32;
+    var phi_1184_: bool;
+    var phi_1192_: bool;
+    var phi_1204_: bool;
+    var phi_1205_: bool;
+    var phi_1209_: f32;
+    var phi_1215_: f32;
+    var phi_1217_: evaluate_Verdict;
+    var phi_1222_: evaluate_Verdict;
+    var phi_1223_: evaluate_Verdict;
 
-    let _e52 = id_1;
-    let _e59 = arrayLength((&map.member));
-    let _e65 = arrayLength((&levels.member));
-    let _e68 = p.member.size[0u];
-    let _e70 = p.member.size[1u];
-    let _e71 = lt_shaders_entry_pixel_index(_e52, _e68, _e70);
-    if (bitcast<i32>(_e71.root) != 0i) {
-        let _e77 = p.member.level_count;
-        if (_e71.first_primitive < arrayLength((&samples.member))) {
+    let _e53 = id_1;
+    let _e60 = arrayLength((&map.member));
+    let _e66 = arrayLength((&levels.member));
+    let _e69 = p.member.size[0u];
+    let _e71 = p.member.size[1u];
+    let _e72 = lt_shaders_entry_pixel_index(_e53, _e69, _e71);
+    if (bitcast<i32>(_e72.root) != 0i) {
+        let _e78 = p.member.level_count;
+        if (_e72.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e84 = samples.member[(0u + _e71.first_primitive)].normal[0u];
-        let _e86 = global[0u];
-        if (_e84 == _e86) {
-            let _e89 = samples.member[(0u + _e71.first_primitive)].normal[1u];
-            let _e91 = global[1u];
-            if (_e89 == _e91) {
-                let _e94 = samples.member[(0u + _e71.first_primitive)].normal[2u];
-                let _e96 = global[2u];
-                phi_383_ = (_e94 == _e96);
-                phi_384_ = false;
+        let _e85 = samples.member[(0u + _e72.first_primitive)].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[(0u + _e72.first_primitive)].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[(0u + _e72.first_primitive)].normal[2u];
+                let _e97 = global[2u];
+                phi_384_ = (_e95 == _e97);
+                phi_385_ = false;
             } else {
-                phi_383_ = bool();
-                phi_384_ = true;
+                phi_384_ = bool();
+                phi_385_ = true;
             }
-            let _e99 = phi_383_;
-            let _e101 = phi_384_;
-            phi_385_ = _e99;
-            phi_386_ = _e101;
+            let _e100 = phi_384_;
+            let _e102 = phi_385_;
+            phi_386_ = _e100;
+            phi_387_ = _e102;
         } else {
-            phi_385_ = bool();
-            phi_386_ = true;
+            phi_386_ = bool();
+            phi_387_ = true;
         }
-        let _e103 = phi_385_;
-        let _e105 = phi_386_;
-        if _e105 {
-            phi_390_ = false;
+        let _e104 = phi_386_;
+        let _e106 = phi_387_;
+        if _e106 {
+            phi_391_ = false;
         } else {
-            phi_390_ = _e103;
+            phi_391_ = _e104;
         }
-        let _e107 = phi_390_;
-        if !(_e107) {
-            let _e110 = samples.member[(0u + _e71.first_primitive)].position;
-            let _e112 = p.member.light.place;
-            let _e118 = p.member.light.place[3u];
-            let _e125 = (_e112.x - (_e110.x * _e118));
-            let _e126 = (_e112.y - (_e110.y * _e118));
-            let _e127 = (_e112.z - (_e110.z * _e118));
-            let _e129 = samples.member[(0u + _e71.first_primitive)].normal;
-            if ((((_e129.x * _e125) + (_e129.y * _e126)) + (_e129.z * _e127)) > 0f) {
-                let _e143 = (((_e125 * _e125) + (_e126 * _e126)) + (_e127 * _e127));
-                let _e145 = p.member.light.axis;
-                let _e157 = p.member.light.place[3u];
-                if (_e157 == 0f) {
-                    phi_461_ = true;
+        let _e108 = phi_391_;
+        if !(_e108) {
+            let _e111 = samples.member[(0u + _e72.first_primitive)].position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = samples.member[(0u + _e72.first_primitive)].normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_462_ = true;
                 } else {
-                    let _e160 = p.member.light.range_squared;
-                    if (_e143 <= _e160) {
-                        let _e163 = p.member.light.cos_outer;
-                        phi_460_ = (-((((_e125 * _e145.x) + (_e126 * _e145.y)) + (_e127 * _e145.z))) >= (_e163 * sqrt(_e143)));
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_461_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_460_ = false;
+                        phi_461_ = false;
                     }
-                    let _e168 = phi_460_;
-                    phi_461_ = _e168;
+                    let _e169 = phi_461_;
+                    phi_462_ = _e169;
                 }
-                let _e170 = phi_461_;
-                if _e170 {
-                    let _e172 = samples.member[(0u + _e71.first_primitive)].flags;
-                    let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e180.unnamed.visibility, false), _e180.unnamed_1);
-                    phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e186.unnamed, ((_e172 & 1u) == 0u));
-                    phi_473_ = false;
+                let _e171 = phi_462_;
+                if _e171 {
+                    let _e173 = samples.member[(0u + _e72.first_primitive)].flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_473_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_474_ = false;
                 } else {
-                    phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_473_ = true;
+                    phi_473_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_474_ = true;
                 }
-                let _e191 = phi_472_;
-                let _e193 = phi_473_;
-                phi_474_ = _e191;
-                phi_475_ = _e193;
+                let _e192 = phi_473_;
+                let _e194 = phi_474_;
+                phi_475_ = _e192;
+                phi_476_ = _e194;
             } else {
-                phi_474_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_475_ = true;
+                phi_475_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_476_ = true;
             }
-            let _e195 = phi_474_;
-            let _e197 = phi_475_;
-            if _e197 {
-                let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
-                phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
+            let _e196 = phi_475_;
+            let _e198 = phi_476_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_483_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_482_ = _e195;
+                phi_483_ = _e196;
             }
-            let _e214 = phi_482_;
-            phi_486_ = _e214;
+            let _e215 = phi_483_;
+            phi_487_ = _e215;
         } else {
-            let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e226 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e220.unnamed.visibility, false), _e220.unnamed_1);
-            phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e226.unnamed, true);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_487_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e231 = phi_486_;
-        if _e231.unnamed_1 {
-            phi_1220_ = evaluate_Verdict(_e231.unnamed.visibility, _e231.unnamed.is_doubted);
+        let _e232 = phi_487_;
+        if _e232.unnamed_1 {
+            phi_1223_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
         } else {
-            let _e239 = samples.member[(0u + _e71.first_primitive)].position;
-            let _e241 = p.member.map_size;
-            let _e243 = (0.5f / f32(_e241));
-            let _e250 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e257 = lt_math_LightPoint(vec2<f32>(_e250.uv.x, 0f), _e250.depth, _e250.is_inside);
-            let _e261 = lt_math_LightPoint(_e257.uv, 0f, _e257.is_inside);
-            phi_506_ = lt_math_LightPoint();
-            phi_509_ = 0u;
-            phi_511_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e261.uv, _e261.depth, false));
+            let _e240 = samples.member[(0u + _e72.first_primitive)].position;
+            let _e242 = p.member.map_size;
+            let _e244 = (0.5f / f32(_e242));
+            let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
+            let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
+            phi_507_ = lt_math_LightPoint();
+            phi_510_ = 0u;
+            phi_512_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
             loop {
-                let _e268 = phi_506_;
-                let _e270 = phi_509_;
-                let _e272 = phi_511_;
-                local_1 = _e272;
-                local_2 = _e272;
-                local_3 = _e272;
-                if (_e270 < _e77) {
-                    if _e272.point.is_inside {
-                        phi_672_ = lt_math_LightPoint();
-                        phi_673_ = u32();
-                        phi_674_ = lt_math_LevelPoint();
-                        phi_675_ = false;
+                let _e269 = phi_507_;
+                let _e271 = phi_510_;
+                let _e273 = phi_512_;
+                local_1 = _e273;
+                local_2 = _e273;
+                local_3 = _e273;
+                if (_e271 < _e78) {
+                    if _e273.point.is_inside {
+                        phi_673_ = lt_math_LightPoint();
+                        phi_674_ = u32();
+                        phi_675_ = lt_math_LevelPoint();
+                        phi_676_ = false;
                     } else {
-                        if (_e270 < _e65) {
+                        if (_e271 < _e66) {
                         } else {
                             return;
                         }
-                        let _e283 = levels.member[(0u + _e270)].row_w;
-                        let _e294 = ((((_e283.x * _e239.x) + (_e283.y * _e239.y)) + (_e283.z * _e239.z)) + (_e283.w * 1f));
-                        let _e296 = levels.member[(0u + _e270)].row_x;
-                        let _e308 = (((((_e296.x * _e239.x) + (_e296.y * _e239.y)) + (_e296.z * _e239.z)) + (_e296.w * 1f)) / _e294);
-                        let _e310 = levels.member[(0u + _e270)].row_y;
-                        let _e322 = (((((_e310.x * _e239.x) + (_e310.y * _e239.y)) + (_e310.z * _e239.z)) + (_e310.w * 1f)) / _e294);
-                        let _e324 = levels.member[(0u + _e270)].row_z;
-                        let _e335 = ((((_e324.x * _e239.x) + (_e324.y * _e239.y)) + (_e324.z * _e239.z)) + (_e324.w * 1f));
-                        if (_e294 > 0f) {
-                            if (_e308 >= 0f) {
-                                phi_597_ = (_e308 <= 1f);
+                        let _e284 = levels.member[(0u + _e271)].row_w;
+                        let _e295 = ((((_e284.x * _e240.x) + (_e284.y * _e240.y)) + (_e284.z * _e240.z)) + (_e284.w * 1f));
+                        let _e297 = levels.member[(0u + _e271)].row_x;
+                        let _e309 = (((((_e297.x * _e240.x) + (_e297.y * _e240.y)) + (_e297.z * _e240.z)) + (_e297.w * 1f)) / _e295);
+                        let _e311 = levels.member[(0u + _e271)].row_y;
+                        let _e323 = (((((_e311.x * _e240.x) + (_e311.y * _e240.y)) + (_e311.z * _e240.z)) + (_e311.w * 1f)) / _e295);
+                        let _e325 = levels.member[(0u + _e271)].row_z;
+                        let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
+                        if (_e295 > 0f) {
+                            if (_e309 >= 0f) {
+                                phi_598_ = (_e309 <= 1f);
                             } else {
-                                phi_597_ = false;
+                                phi_598_ = false;
                             }
-                            let _e340 = phi_597_;
-                            if _e340 {
-                                if (_e322 >= 0f) {
-                                    phi_606_ = (_e322 <= 1f);
+                            let _e341 = phi_598_;
+                            if _e341 {
+                                if (_e323 >= 0f) {
+                                    phi_607_ = (_e323 <= 1f);
                                 } else {
-                                    phi_606_ = false;
+                                    phi_607_ = false;
                                 }
-                                let _e344 = phi_606_;
-                                if _e344 {
-                                    if (_e335 >= 0f) {
-                                        phi_615_ = (_e335 <= 1f);
+                                let _e345 = phi_607_;
+                                if _e345 {
+                                    if (_e336 >= 0f) {
+                                        phi_616_ = (_e336 <= 1f);
                                     } else {
-                                        phi_615_ = false;
+                                        phi_616_ = false;
                                     }
-                                    let _e348 = phi_615_;
-                                    phi_616_ = _e348;
-                                    phi_617_ = false;
+                                    let _e349 = phi_616_;
+                                    phi_617_ = _e349;
+                                    phi_618_ = false;
                                 } else {
-                                    phi_616_ = bool();
-                                    phi_617_ = true;
+                                    phi_617_ = bool();
+                                    phi_618_ = true;
                                 }
-                                let _e350 = phi_616_;
-                                let _e352 = phi_617_;
-                                phi_618_ = _e350;
-                                phi_619_ = _e352;
+                                let _e351 = phi_617_;
+                                let _e353 = phi_618_;
+                                phi_619_ = _e351;
+                                phi_620_ = _e353;
                             } else {
-                                phi_618_ = bool();
-                                phi_619_ = true;
+                                phi_619_ = bool();
+                                phi_620_ = true;
                             }
-                            let _e354 = phi_618_;
-                            let _e356 = phi_619_;
-                            phi_620_ = _e354;
-                            phi_621_ = _e356;
+                            let _e355 = phi_619_;
+                            let _e357 = phi_620_;
+                            phi_621_ = _e355;
+                            phi_622_ = _e357;
                         } else {
-                            phi_620_ = bool();
-                            phi_621_ = true;
+                            phi_621_ = bool();
+                            phi_622_ = true;
                         }
-                        let _e358 = phi_620_;
-                        let _e360 = phi_621_;
-                        if _e360 {
-                            phi_625_ = false;
+                        let _e359 = phi_621_;
+                        let _e361 = phi_622_;
+                        if _e361 {
+                            phi_626_ = false;
                         } else {
-                            phi_625_ = _e358;
+                            phi_626_ = _e359;
                         }
-                        let _e362 = phi_625_;
-                        if _e362 {
-                            if (_e308 >= _e243) {
-                                if (_e308 <= (1f - _e243)) {
-                                    if (_e322 >= _e243) {
-                                        phi_652_ = (_e322 <= (1f - _e243));
-                                        phi_653_ = false;
+                        let _e363 = phi_626_;
+                        if _e363 {
+                            if (_e309 >= _e244) {
+                                if (_e309 <= (1f - _e244)) {
+                                    if (_e323 >= _e244) {
+                                        phi_653_ = (_e323 <= (1f - _e244));
+                                        phi_654_ = false;
                                     } else {
-                                        phi_652_ = bool();
-                                        phi_653_ = true;
+                                        phi_653_ = bool();
+                                        phi_654_ = true;
                                     }
-                                    let _e370 = phi_652_;
-                                    let _e372 = phi_653_;
-                                    phi_654_ = _e370;
-                                    phi_655_ = _e372;
+                                    let _e371 = phi_653_;
+                                    let _e373 = phi_654_;
+                                    phi_655_ = _e371;
+                                    phi_656_ = _e373;
                                 } else {
-                                    phi_654_ = bool();
-                                    phi_655_ = true;
+                                    phi_655_ = bool();
+                                    phi_656_ = true;
                                 }
-                                let _e374 = phi_654_;
-                                let _e376 = phi_655_;
-                                phi_656_ = _e374;
-                                phi_657_ = _e376;
+                                let _e375 = phi_655_;
+                                let _e377 = phi_656_;
+                                phi_657_ = _e375;
+                                phi_658_ = _e377;
                             } else {
-                                phi_656_ = bool();
-                                phi_657_ = true;
+                                phi_657_ = bool();
+                                phi_658_ = true;
                             }
-                            let _e378 = phi_656_;
-                            let _e380 = phi_657_;
-                            phi_658_ = _e378;
-                            phi_659_ = _e380;
+                            let _e379 = phi_657_;
+                            let _e381 = phi_658_;
+                            phi_659_ = _e379;
+                            phi_660_ = _e381;
                         } else {
-                            phi_658_ = bool();
-                            phi_659_ = true;
+                            phi_659_ = bool();
+                            phi_660_ = true;
                         }
-                        let _e382 = phi_658_;
-                        let _e384 = phi_659_;
-                        if _e384 {
-                            phi_663_ = false;
+                        let _e383 = phi_659_;
+                        let _e385 = phi_660_;
+                        if _e385 {
+                            phi_664_ = false;
                         } else {
-                            phi_663_ = _e382;
+                            phi_664_ = _e383;
                         }
-                        let _e386 = phi_663_;
-                        let _e393 = lt_math_LightPoint(vec2<f32>(_e308, _e268.uv.y), _e268.depth, _e268.is_inside);
-                        let _e400 = lt_math_LightPoint(vec2<f32>(_e393.uv.x, _e322), _e393.depth, _e393.is_inside);
-                        let _e404 = lt_math_LightPoint(_e400.uv, _e335, _e400.is_inside);
-                        let _e408 = lt_math_LightPoint(_e404.uv, _e404.depth, _e386);
-                        phi_672_ = _e408;
-                        phi_673_ = (_e270 + 1u);
-                        phi_674_ = lt_math_LevelPoint(_e270, _e408);
-                        phi_675_ = true;
+                        let _e387 = phi_664_;
+                        let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
+                        let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
+                        let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
+                        let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
+                        phi_673_ = _e409;
+                        phi_674_ = (_e271 + 1u);
+                        phi_675_ = lt_math_LevelPoint(_e271, _e409);
+                        phi_676_ = true;
                     }
-                    let _e412 = phi_672_;
-                    let _e414 = phi_673_;
-                    let _e416 = phi_674_;
-                    let _e418 = phi_675_;
-                    phi_507_ = _e412;
-                    phi_510_ = _e414;
-                    phi_512_ = _e416;
-                    phi_676_ = _e418;
+                    let _e413 = phi_673_;
+                    let _e415 = phi_674_;
+                    let _e417 = phi_675_;
+                    let _e419 = phi_676_;
+                    phi_508_ = _e413;
+                    phi_511_ = _e415;
+                    phi_513_ = _e417;
+                    phi_677_ = _e419;
                 } else {
-                    phi_507_ = lt_math_LightPoint();
-                    phi_510_ = u32();
-                    phi_512_ = lt_math_LevelPoint();
-                    phi_676_ = false;
+                    phi_508_ = lt_math_LightPoint();
+                    phi_511_ = u32();
+                    phi_513_ = lt_math_LevelPoint();
+                    phi_677_ = false;
                 }
-                let _e420 = phi_507_;
-                let _e422 = phi_510_;
-                let _e424 = phi_512_;
-                let _e426 = phi_676_;
+                let _e421 = phi_508_;
+                let _e423 = phi_511_;
+                let _e425 = phi_513_;
+                let _e427 = phi_677_;
                 continue;
                 continuing {
-                    phi_506_ = _e420;
-                    phi_509_ = _e422;
-                    phi_511_ = _e424;
-                    break if !(_e426);
+                    phi_507_ = _e421;
+                    phi_510_ = _e423;
+                    phi_512_ = _e425;
+                    break if !(_e427);
                 }
             }
-            let _e429 = local_1;
-            if _e429.point.is_inside {
+            let _e430 = local_1;
+            if _e430.point.is_inside {
                 if (0f > 0f) {
-                    let _e435 = local_2;
-                    if (_e435.level < _e65) {
+                    let _e436 = local_2;
+                    if (_e436.level < _e66) {
                     } else {
                         return;
                     }
-                    let _e440 = levels.member[(0u + _e435.level)];
-                    let _e446 = global[0u];
-                    if (_e440.row_w.x == _e446) {
-                        let _e449 = global[1u];
-                        if (_e440.row_w.y == _e449) {
-                            let _e452 = global[2u];
-                            phi_716_ = (_e440.row_w.z == _e452);
-                            phi_717_ = false;
+                    let _e441 = levels.member[(0u + _e436.level)];
+                    let _e447 = global[0u];
+                    if (_e441.row_w.x == _e447) {
+                        let _e450 = global[1u];
+                        if (_e441.row_w.y == _e450) {
+                            let _e453 = global[2u];
+                            phi_717_ = (_e441.row_w.z == _e453);
+                            phi_718_ = false;
                         } else {
-                            phi_716_ = bool();
-                            phi_717_ = true;
+                            phi_717_ = bool();
+                            phi_718_ = true;
                         }
-                        let _e455 = phi_716_;
-                        let _e457 = phi_717_;
-                        phi_718_ = _e455;
-                        phi_719_ = _e457;
+                        let _e456 = phi_717_;
+                        let _e458 = phi_718_;
+                        phi_719_ = _e456;
+                        phi_720_ = _e458;
                     } else {
-                        phi_718_ = bool();
-                        phi_719_ = true;
+                        phi_719_ = bool();
+                        phi_720_ = true;
                     }
-                    let _e459 = phi_718_;
-                    let _e461 = phi_719_;
-                    if _e461 {
-                        phi_723_ = false;
+                    let _e460 = phi_719_;
+                    let _e462 = phi_720_;
+                    if _e462 {
+                        phi_724_ = false;
                     } else {
-                        phi_723_ = _e459;
+                        phi_724_ = _e460;
                     }
-                    let _e463 = phi_723_;
-                    if _e463 {
-                        let _e465 = samples.member[(0u + _e71.first_primitive)].normal;
-                        let _e467 = p.member.map_size;
-                        let _e537 = ((abs(((((_e440.row_x.x * _e465.x) + (_e440.row_x.y * _e465.y)) + (_e440.row_x.z * _e465.z)) / (((_e440.row_x.x * _e440.row_x.x) + (_e440.row_x.y * _e440.row_x.y)) + (_e440.row_x.z * _e440.row_x.z)))) + abs(((((_e440.row_y.x * _e465.x) + (_e440.row_y.y * _e465.y)) + (_e440.row_y.z * _e465.z)) / (((_e440.row_y.x * _e440.row_y.x) + (_e440.row_y.y * _e440.row_y.y)) + (_e440.row_y.z * _e440.row_y.z))))) / (abs(((((_e440.row_z.x * _e465.x) + (_e440.row_z.y * _e465.y)) + (_e440.row_z.z * _e465.z)) / (((_e440.row_z.x * _e440.row_z.x) + (_e440.row_z.y * _e440.row_z.y)) + (_e440.row_z.z * _e440.row_z.z)))) * f32(_e467)));
-                        if (_e537 < 0.002f) {
-                            phi_805_ = _e537;
+                    let _e464 = phi_724_;
+                    if _e464 {
+                        let _e466 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e468 = p.member.map_size;
+                        let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
+                        if (_e538 < 0.002f) {
+                            phi_806_ = _e538;
                         } else {
-                            phi_805_ = 0.002f;
+                            phi_806_ = 0.002f;
                         }
-                        let _e540 = phi_805_;
-                        phi_922_ = _e540;
+                        let _e541 = phi_806_;
+                        phi_925_ = _e541;
                     } else {
-                        let _e542 = p.member.map_size;
-                        let _e548 = samples.member[(0u + _e71.first_primitive)].position;
-                        let _e559 = ((((_e440.row_w.x * _e548.x) + (_e440.row_w.y * _e548.y)) + (_e440.row_w.z * _e548.z)) + _e440.row_w.w);
-                        let _e572 = ((_e440.row_x.x - (_e440.row_w.x * _e429.point.uv.x)) / _e559);
-                        let _e573 = ((_e440.row_x.y - (_e440.row_w.y * _e429.point.uv.x)) / _e559);
-                        let _e574 = ((_e440.row_x.z - (_e440.row_w.z * _e429.point.uv.x)) / _e559);
-                        let _e587 = ((_e440.row_y.x - (_e440.row_w.x * _e429.point.uv.y)) / _e559);
-                        let _e588 = ((_e440.row_y.y - (_e440.row_w.y * _e429.point.uv.y)) / _e559);
-                        let _e589 = ((_e440.row_y.z - (_e440.row_w.z * _e429.point.uv.y)) / _e559);
-                        let _e595 = samples.member[(0u + _e71.first_primitive)].normal;
-                        let _e600 = ((_e588 * _e595.z) - (_e595.y * _e589));
-                        let _e605 = ((_e589 * _e595.x) - (_e595.z * _e587));
-                        let _e610 = ((_e587 * _e595.y) - (_e595.x * _e588));
-                        let _e612 = samples.member[(0u + _e71.first_primitive)].normal;
-                        let _e617 = ((_e573 * _e612.z) - (_e612.y * _e574));
-                        let _e622 = ((_e574 * _e612.x) - (_e612.z * _e572));
-                        let _e627 = ((_e572 * _e612.y) - (_e612.x * _e573));
-                        let _e654 = ((abs(((((_e440.row_z.x * _e600) + (_e440.row_z.y * _e605)) + (_e440.row_z.z * _e610)) / (((_e572 * _e600) + (_e573 * _e605)) + (_e574 * _e610)))) + abs(((((_e440.row_z.x * _e617) + (_e440.row_z.y * _e622)) + (_e440.row_z.z * _e627)) / (((_e587 * _e617) + (_e588 * _e622)) + (_e589 * _e627))))) / f32(_e542));
-                        if (_e654 < 0.002f) {
-                            phi_921_ = _e654;
+                        let _e543 = p.member.map_size;
+                        let _e549 = samples.member[(0u + _e72.first_primitive)].position;
+                        let _e560 = ((((_e441.row_w.x * _e549.x) + (_e441.row_w.y * _e549.y)) + (_e441.row_w.z * _e549.z)) + _e441.row_w.w);
+                        let _e573 = ((_e441.row_x.x - (_e441.row_w.x * _e430.point.uv.x)) / _e560);
+                        let _e574 = ((_e441.row_x.y - (_e441.row_w.y * _e430.point.uv.x)) / _e560);
+                        let _e575 = ((_e441.row_x.z - (_e441.row_w.z * _e430.point.uv.x)) / _e560);
+                        let _e588 = ((_e441.row_y.x - (_e441.row_w.x * _e430.point.uv.y)) / _e560);
+                        let _e589 = ((_e441.row_y.y - (_e441.row_w.y * _e430.point.uv.y)) / _e560);
+                        let _e590 = ((_e441.row_y.z - (_e441.row_w.z * _e430.point.uv.y)) / _e560);
+                        let _e596 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e601 = ((_e589 * _e596.z) - (_e596.y * _e590));
+                        let _e606 = ((_e590 * _e596.x) - (_e596.z * _e588));
+                        let _e611 = ((_e588 * _e596.y) - (_e596.x * _e589));
+                        let _e613 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e618 = ((_e574 * _e613.z) - (_e613.y * _e575));
+                        let _e623 = ((_e575 * _e613.x) - (_e613.z * _e573));
+                        let _e628 = ((_e573 * _e613.y) - (_e613.x * _e574));
+                        let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
+                        let _e657 = (16f / f32(_e543));
+                        if (_e655 < _e657) {
+                            phi_924_ = _e655;
                         } else {
-                            phi_921_ = 0.002f;
+                            phi_924_ = _e657;
                         }
-                        let _e657 = phi_921_;
-                        phi_922_ = _e657;
+                        let _e660 = phi_924_;
+                        phi_925_ = _e660;
                     }
-                    let _e659 = phi_922_;
-                    phi_925_ = (_e429.point.depth - (0f * _e659));
+                    let _e662 = phi_925_;
+                    phi_928_ = (_e430.point.depth - (0f * _e662));
                 } else {
-                    phi_925_ = _e429.point.depth;
+                    phi_928_ = _e430.point.depth;
                 }
-                let _e663 = phi_925_;
-                let _e669 = p.member.map_size;
-                let _e670 = f32(_e669);
-                let _e673 = ((_e429.point.uv.x * _e670) - 0.5f);
-                let _e674 = ((_e429.point.uv.y * _e670) - 0.5f);
-                if (_e673 > -8388608f) {
-                    let _e686 = f32(select(0i, select(select(i32(_e673), i32(-2147483648), (_e673 < bitcast<f32>(3472883712u))), 2147483647i, (_e673 > bitcast<f32>(1325400063u))), (_e673 == _e673)));
-                    if (_e686 > _e673) {
-                        phi_954_ = 1f;
+                let _e666 = phi_928_;
+                let _e672 = p.member.map_size;
+                let _e673 = f32(_e672);
+                let _e676 = ((_e430.point.uv.x * _e673) - 0.5f);
+                let _e677 = ((_e430.point.uv.y * _e673) - 0.5f);
+                if (_e676 > -8388608f) {
+                    let _e689 = f32(select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < bitcast<f32>(3472883712u))), 2147483647i, (_e676 > bitcast<f32>(1325400063u))), (_e676 == _e676)));
+                    if (_e689 > _e676) {
+                        phi_957_ = 1f;
                     } else {
-                        phi_954_ = 0f;
+                        phi_957_ = 0f;
                     }
-                    let _e689 = phi_954_;
-                    if (_e673 < 8388608f) {
-                        phi_959_ = (_e686 - _e689);
-                        phi_960_ = false;
+                    let _e692 = phi_957_;
+                    if (_e676 < 8388608f) {
+                        phi_962_ = (_e689 - _e692);
+                        phi_963_ = false;
                     } else {
-                        phi_959_ = f32();
-                        phi_960_ = true;
+                        phi_962_ = f32();
+                        phi_963_ = true;
                     }
-                    let _e692 = phi_959_;
-                    let _e694 = phi_960_;
-                    phi_961_ = _e692;
-                    phi_962_ = _e694;
+                    let _e695 = phi_962_;
+                    let _e697 = phi_963_;
+                    phi_964_ = _e695;
+                    phi_965_ = _e697;
                 } else {
-                    phi_961_ = f32();
-                    phi_962_ = true;
+                    phi_964_ = f32();
+                    phi_965_ = true;
                 }
-                let _e696 = phi_961_;
-                let _e698 = phi_962_;
-                if _e698 {
-                    phi_966_ = _e673;
+                let _e699 = phi_964_;
+                let _e701 = phi_965_;
+                if _e701 {
+                    phi_969_ = _e676;
                 } else {
-                    phi_966_ = _e696;
+                    phi_969_ = _e699;
                 }
-                let _e700 = phi_966_;
-                if (_e674 > -8388608f) {
-                    let _e712 = f32(select(0i, select(select(i32(_e674), i32(-2147483648), (_e674 < bitcast<f32>(3472883712u))), 2147483647i, (_e674 > bitcast<f32>(1325400063u))), (_e674 == _e674)));
-                    if (_e712 > _e674) {
-                        phi_986_ = 1f;
+                let _e703 = phi_969_;
+                if (_e677 > -8388608f) {
+                    let _e715 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
+                    if (_e715 > _e677) {
+                        phi_989_ = 1f;
                     } else {
-                        phi_986_ = 0f;
+                        phi_989_ = 0f;
                     }
-                    let _e715 = phi_986_;
-                    if (_e674 < 8388608f) {
-                        phi_991_ = (_e712 - _e715);
-                        phi_992_ = false;
+                    let _e718 = phi_989_;
+                    if (_e677 < 8388608f) {
+                        phi_994_ = (_e715 - _e718);
+                        phi_995_ = false;
                     } else {
-                        phi_991_ = f32();
-                        phi_992_ = true;
+                        phi_994_ = f32();
+                        phi_995_ = true;
                     }
-                    let _e718 = phi_991_;
-                    let _e720 = phi_992_;
-                    phi_993_ = _e718;
-                    phi_994_ = _e720;
+                    let _e721 = phi_994_;
+                    let _e723 = phi_995_;
+                    phi_996_ = _e721;
+                    phi_997_ = _e723;
                 } else {
-                    phi_993_ = f32();
-                    phi_994_ = true;
+                    phi_996_ = f32();
+                    phi_997_ = true;
                 }
-                let _e722 = phi_993_;
-                let _e724 = phi_994_;
-                if _e724 {
-                    phi_998_ = _e674;
+                let _e725 = phi_996_;
+                let _e727 = phi_997_;
+                if _e727 {
+                    phi_1001_ = _e677;
                 } else {
-                    phi_998_ = _e722;
+                    phi_1001_ = _e725;
                 }
-                let _e726 = phi_998_;
-                let _e727 = (_e673 - _e700);
-                let _e728 = (_e674 - _e726);
-                let _e737 = select(0i, select(select(i32(_e700), i32(-2147483648), (_e700 < bitcast<f32>(3472883712u))), 2147483647i, (_e700 > bitcast<f32>(1325400063u))), (_e700 == _e700));
-                let _e746 = select(0i, select(select(i32(_e726), i32(-2147483648), (_e726 < bitcast<f32>(3472883712u))), 2147483647i, (_e726 > bitcast<f32>(1325400063u))), (_e726 == _e726));
-                let _e749 = ((1f - _e727) * (1f - _e728));
-                let _e751 = (_e727 * (1f - _e728));
-                let _e753 = ((1f - _e727) * _e728);
-                let _e754 = (_e727 * _e728);
-                let _e756 = p.member.test;
-                let _e757 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e756);
-                let _e759 = p.member.map_size;
-                let _e761 = local_3;
-                local = _e757;
-                let _e764 = ((_e761.level * _e759) * _e759);
-                let _e766 = (bitcast<i32>(_e759) - 1i);
-                if (_e737 > 0i) {
-                    phi_1047_ = _e737;
+                let _e729 = phi_1001_;
+                let _e730 = (_e676 - _e703);
+                let _e731 = (_e677 - _e729);
+                let _e740 = select(0i, select(select(i32(_e703), i32(-2147483648), (_e703 < bitcast<f32>(3472883712u))), 2147483647i, (_e703 > bitcast<f32>(1325400063u))), (_e703 == _e703));
+                let _e749 = select(0i, select(select(i32(_e729), i32(-2147483648), (_e729 < bitcast<f32>(3472883712u))), 2147483647i, (_e729 > bitcast<f32>(1325400063u))), (_e729 == _e729));
+                let _e752 = ((1f - _e730) * (1f - _e731));
+                let _e754 = (_e730 * (1f - _e731));
+                let _e756 = ((1f - _e730) * _e731);
+                let _e757 = (_e730 * _e731);
+                let _e759 = p.member.test;
+                let _e760 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e759);
+                let _e762 = p.member.map_size;
+                let _e764 = local_3;
+                local = _e760;
+                let _e767 = ((_e764.level * _e762) * _e762);
+                let _e769 = (bitcast<i32>(_e762) - 1i);
+                if (_e740 > 0i) {
+                    phi_1050_ = _e740;
                 } else {
-                    phi_1047_ = 0i;
+                    phi_1050_ = 0i;
                 }
-                let _e769 = phi_1047_;
-                if (_e746 > 0i) {
-                    phi_1052_ = _e746;
+                let _e772 = phi_1050_;
+                if (_e749 > 0i) {
+                    phi_1055_ = _e749;
                 } else {
-                    phi_1052_ = 0i;
+                    phi_1055_ = 0i;
                 }
-                let _e772 = phi_1052_;
-                if (_e769 < _e766) {
-                    phi_1057_ = _e769;
+                let _e775 = phi_1055_;
+                if (_e772 < _e769) {
+                    phi_1060_ = _e772;
                 } else {
-                    phi_1057_ = _e766;
+                    phi_1060_ = _e769;
                 }
-                let _e775 = phi_1057_;
-                if (_e772 < _e766) {
-                    phi_1062_ = _e772;
+                let _e778 = phi_1060_;
+                if (_e775 < _e769) {
+                    phi_1065_ = _e775;
                 } else {
-                    phi_1062_ = _e766;
+                    phi_1065_ = _e769;
                 }
-                let _e778 = phi_1062_;
-                let _e779 = bitcast<u32>(_e775);
-                let _e781 = (_e737 + 1i);
-                let _e782 = (_e746 + 1i);
-                if (_e781 > 0i) {
-                    phi_1071_ = _e781;
+                let _e781 = phi_1065_;
+                let _e782 = bitcast<u32>(_e778);
+                let _e784 = (_e740 + 1i);
+                let _e785 = (_e749 + 1i);
+                if (_e784 > 0i) {
+                    phi_1074_ = _e784;
                 } else {
-                    phi_1071_ = 0i;
+                    phi_1074_ = 0i;
                 }
-                let _e785 = phi_1071_;
-                if (_e782 > 0i) {
-                    phi_1076_ = _e782;
+                let _e788 = phi_1074_;
+                if (_e785 > 0i) {
+                    phi_1079_ = _e785;
                 } else {
-                    phi_1076_ = 0i;
+                    phi_1079_ = 0i;
                 }
-                let _e788 = phi_1076_;
-                if (_e785 < _e766) {
-                    phi_1081_ = _e785;
+                let _e791 = phi_1079_;
+                if (_e788 < _e769) {
+                    phi_1084_ = _e788;
                 } else {
-                    phi_1081_ = _e766;
+                    phi_1084_ = _e769;
                 }
-                let _e791 = phi_1081_;
-                if (_e788 < _e766) {
-                    phi_1086_ = _e788;
+                let _e794 = phi_1084_;
+                if (_e791 < _e769) {
+                    phi_1089_ = _e791;
                 } else {
-                    phi_1086_ = _e766;
+                    phi_1089_ = _e769;
                 }
-                let _e794 = phi_1086_;
-                let _e795 = bitcast<u32>(_e791);
-                let _e797 = (bitcast<u32>(_e778) * _e759);
-                let _e798 = (bitcast<u32>(_e794) * _e759);
-                let _e803 = ((_e797 + _e779) + _e764);
-                let _e804 = ((_e797 + _e795) + _e764);
-                let _e805 = ((_e798 + _e779) + _e764);
-                let _e806 = ((_e798 + _e795) + _e764);
-                if (_e803 < _e59) {
+                let _e797 = phi_1089_;
+                let _e798 = bitcast<u32>(_e794);
+                let _e800 = (bitcast<u32>(_e781) * _e762);
+                let _e801 = (bitcast<u32>(_e797) * _e762);
+                let _e806 = ((_e800 + _e782) + _e767);
+                let _e807 = ((_e800 + _e798) + _e767);
+                let _e808 = ((_e801 + _e782) + _e767);
+                let _e809 = ((_e801 + _e798) + _e767);
+                if (_e806 < _e60) {
                 } else {
                     return;
                 }
-                let _e810 = map.member[(0u + _e803)];
-                if (_e804 < _e59) {
+                let _e813 = map.member[(0u + _e806)];
+                if (_e807 < _e60) {
                 } else {
                     return;
                 }
-                let _e822 = map.member[(0u + _e804)];
-                if (_e805 < _e59) {
+                let _e825 = map.member[(0u + _e807)];
+                if (_e808 < _e60) {
                 } else {
                     return;
                 }
-                let _e838 = map.member[(0u + _e805)];
-                if (_e806 < _e59) {
+                let _e841 = map.member[(0u + _e808)];
+                if (_e809 < _e60) {
                 } else {
                     return;
                 }
-                let _e854 = map.member[(0u + _e806)];
-                let _e868 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e810.x * _e749) + (_e822.x * _e751)) + (_e838.x * _e753)) + (_e854.x * _e754)), ((((_e810.y * _e749) + (_e822.y * _e751)) + (_e838.y * _e753)) + (_e854.y * _e754)), ((((_e810.z * _e749) + (_e822.z * _e751)) + (_e838.z * _e753)) + (_e854.z * _e754)), ((((_e810.w * _e749) + (_e822.w * _e751)) + (_e838.w * _e753)) + (_e854.w * _e754))), _e663);
-                let _e870 = p.member.epsilon;
-                if (_e868 <= _e870) {
-                    phi_1181_ = true;
+                let _e857 = map.member[(0u + _e809)];
+                let _e871 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e813.x * _e752) + (_e825.x * _e754)) + (_e841.x * _e756)) + (_e857.x * _e757)), ((((_e813.y * _e752) + (_e825.y * _e754)) + (_e841.y * _e756)) + (_e857.y * _e757)), ((((_e813.z * _e752) + (_e825.z * _e754)) + (_e841.z * _e756)) + (_e857.z * _e757)), ((((_e813.w * _e752) + (_e825.w * _e754)) + (_e841.w * _e756)) + (_e857.w * _e757))), _e666);
+                let _e873 = p.member.epsilon;
+                if (_e871 <= _e873) {
+                    phi_1184_ = true;
                 } else {
-                    phi_1181_ = (_e868 >= (1f - _e870));
+                    phi_1184_ = (_e871 >= (1f - _e873));
                 }
-                let _e875 = phi_1181_;
-                if ((bitcast<u32>(_e868) & 2147483647u) > 2139095040u) {
-                    phi_1189_ = true;
+                let _e878 = phi_1184_;
+                if ((bitcast<u32>(_e871) & 2147483647u) > 2139095040u) {
+                    phi_1192_ = true;
                 } else {
-                    phi_1189_ = !(_e875);
+                    phi_1192_ = !(_e878);
                 }
-                let _e881 = phi_1189_;
-                if _e881 {
-                    if (_e868 > 0f) {
-                        if (_e868 < 1f) {
-                            phi_1201_ = false;
+                let _e884 = phi_1192_;
+                if _e884 {
+                    if (_e871 > 0f) {
+                        if (_e871 < 1f) {
+                            phi_1204_ = false;
                         } else {
-                            phi_1201_ = true;
+                            phi_1204_ = true;
                         }
-                        let _e885 = phi_1201_;
-                        phi_1202_ = _e885;
+                        let _e888 = phi_1204_;
+                        phi_1205_ = _e888;
                     } else {
-                        phi_1202_ = true;
+                        phi_1205_ = true;
                     }
-                    let _e887 = phi_1202_;
-                    if _e887 {
-                        phi_1206_ = 0.5f;
+                    let _e890 = phi_1205_;
+                    if _e890 {
+                        phi_1209_ = 0.5f;
                     } else {
-                        phi_1206_ = _e868;
+                        phi_1209_ = _e871;
                     }
-                    let _e889 = phi_1206_;
-                    phi_1214_ = evaluate_Verdict(_e889, true);
+                    let _e892 = phi_1209_;
+                    phi_1217_ = evaluate_Verdict(_e892, true);
                 } else {
-                    if (_e868 > 0.5f) {
-                        phi_1212_ = 1f;
+                    if (_e871 > 0.5f) {
+                        phi_1215_ = 1f;
                     } else {
-                        phi_1212_ = 0f;
+                        phi_1215_ = 0f;
                     }
-                    let _e893 = phi_1212_;
-                    phi_1214_ = evaluate_Verdict(_e893, false);
+                    let _e896 = phi_1215_;
+                    phi_1217_ = evaluate_Verdict(_e896, false);
                 }
-                let _e896 = phi_1214_;
-                phi_1219_ = evaluate_Verdict(_e896.visibility, _e896.is_doubted);
+                let _e899 = phi_1217_;
+                phi_1222_ = evaluate_Verdict(_e899.visibility, _e899.is_doubted);
             } else {
-                phi_1219_ = evaluate_Verdict(0.5f, true);
+                phi_1222_ = evaluate_Verdict(0.5f, true);
             }
-            let _e902 = phi_1219_;
-            phi_1220_ = _e902;
+            let _e905 = phi_1222_;
+            phi_1223_ = _e905;
         }
-        let _e904 = phi_1220_;
-        if (_e71.first_primitive < arrayLength((&visibility.member))) {
+        let _e907 = phi_1223_;
+        if (_e72.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e71.first_primitive)] = _e904.visibility;
+        visibility.member[(0u + _e72.first_primitive)] = _e907.visibility;
     }
     return;
 }

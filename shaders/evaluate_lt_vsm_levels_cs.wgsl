@@ -92,37 +92,37 @@ var<storage, read_write> visibility: type_13;
 var<storage> levels: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_143_: lt_bvh_traverse_Tree;
-    var phi_144_: bool;
-    var phi_145_: lt_bvh_traverse_Tree;
-    var phi_146_: bool;
-    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_144_: lt_bvh_traverse_Tree;
+    var phi_145_: bool;
+    var phi_146_: lt_bvh_traverse_Tree;
+    var phi_147_: bool;
+    var phi_152_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_144_ = false;
+            phi_144_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_145_ = false;
         } else {
-            phi_143_ = lt_bvh_traverse_Tree();
-            phi_144_ = true;
+            phi_144_ = lt_bvh_traverse_Tree();
+            phi_145_ = true;
         }
-        let _e51 = phi_143_;
-        let _e53 = phi_144_;
-        phi_145_ = _e51;
-        phi_146_ = _e53;
+        let _e52 = phi_144_;
+        let _e54 = phi_145_;
+        phi_146_ = _e52;
+        phi_147_ = _e54;
     } else {
-        phi_145_ = lt_bvh_traverse_Tree();
-        phi_146_ = true;
+        phi_146_ = lt_bvh_traverse_Tree();
+        phi_147_ = true;
     }
-    let _e55 = phi_145_;
-    let _e57 = phi_146_;
-    if _e57 {
-        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e56 = phi_146_;
+    let _e58 = phi_147_;
+    if _e58 {
+        phi_152_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_151_ = _e55;
+        phi_152_ = _e56;
     }
-    let _e62 = phi_151_;
-    return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
+    let _e63 = phi_152_;
+    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -130,211 +130,210 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_177_: f32;
     var phi_178_: f32;
     var phi_179_: f32;
-    var phi_195_: f32;
+    var phi_180_: f32;
     var phi_196_: f32;
     var phi_197_: f32;
-    var phi_213_: f32;
+    var phi_198_: f32;
     var phi_214_: f32;
     var phi_215_: f32;
-    var phi_231_: f32;
+    var phi_216_: f32;
     var phi_232_: f32;
     var phi_233_: f32;
-    var phi_249_: f32;
+    var phi_234_: f32;
     var phi_250_: f32;
     var phi_251_: f32;
-    var phi_297_: bool;
-    var phi_301_: f32;
-    var phi_313_: bool;
-    var phi_320_: f32;
-    var phi_335_: f32;
+    var phi_252_: f32;
+    var phi_298_: bool;
+    var phi_302_: f32;
+    var phi_314_: bool;
+    var phi_321_: f32;
     var phi_336_: f32;
     var phi_337_: f32;
+    var phi_338_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_179_ = param_7;
+        phi_180_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_178_ = 0f;
+            phi_179_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_177_ = 1f;
+                phi_178_ = 1f;
             } else {
-                phi_177_ = param_7;
+                phi_178_ = param_7;
             }
-            let _e48 = phi_177_;
-            phi_178_ = _e48;
+            let _e49 = phi_178_;
+            phi_179_ = _e49;
         }
-        let _e50 = phi_178_;
-        phi_179_ = _e50;
+        let _e51 = phi_179_;
+        phi_180_ = _e51;
     }
-    let _e52 = phi_179_;
+    let _e53 = phi_180_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_197_ = param_5.x;
+        phi_198_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_196_ = 0f;
+            phi_197_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_195_ = 1f;
+                phi_196_ = 1f;
             } else {
-                phi_195_ = param_5.x;
+                phi_196_ = param_5.x;
             }
-            let _e60 = phi_195_;
-            phi_196_ = _e60;
+            let _e61 = phi_196_;
+            phi_197_ = _e61;
         }
-        let _e62 = phi_196_;
-        phi_197_ = _e62;
+        let _e63 = phi_197_;
+        phi_198_ = _e63;
     }
-    let _e64 = phi_197_;
+    let _e65 = phi_198_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_215_ = param_5.y;
+        phi_216_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_214_ = 0f;
+            phi_215_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_213_ = 1f;
+                phi_214_ = 1f;
             } else {
-                phi_213_ = param_5.y;
+                phi_214_ = param_5.y;
             }
-            let _e72 = phi_213_;
-            phi_214_ = _e72;
+            let _e73 = phi_214_;
+            phi_215_ = _e73;
         }
-        let _e74 = phi_214_;
-        phi_215_ = _e74;
+        let _e75 = phi_215_;
+        phi_216_ = _e75;
     }
-    let _e76 = phi_215_;
+    let _e77 = phi_216_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_233_ = param_5.z;
+        phi_234_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_232_ = 0f;
+            phi_233_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_231_ = 1f;
+                phi_232_ = 1f;
             } else {
-                phi_231_ = param_5.z;
+                phi_232_ = param_5.z;
             }
-            let _e84 = phi_231_;
-            phi_232_ = _e84;
+            let _e85 = phi_232_;
+            phi_233_ = _e85;
         }
-        let _e86 = phi_232_;
-        phi_233_ = _e86;
+        let _e87 = phi_233_;
+        phi_234_ = _e87;
     }
-    let _e88 = phi_233_;
+    let _e89 = phi_234_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_251_ = param_5.w;
+        phi_252_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_250_ = 0f;
+            phi_251_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_249_ = 1f;
+                phi_250_ = 1f;
             } else {
-                phi_249_ = param_5.w;
+                phi_250_ = param_5.w;
             }
-            let _e96 = phi_249_;
-            phi_250_ = _e96;
+            let _e97 = phi_250_;
+            phi_251_ = _e97;
         }
-        let _e98 = phi_250_;
-        phi_251_ = _e98;
+        let _e99 = phi_251_;
+        phi_252_ = _e99;
     }
-    let _e100 = phi_251_;
-    let _e101 = (_e64 - _e52);
-    let _e102 = (_e76 - _e52);
-    let _e103 = (_e88 - _e52);
-    let _e104 = (_e100 - _e52);
-    let _e105 = (*param_4);
-    let _e116 = ((((_e101 * param_6.x) + (_e102 * param_6.y)) + (_e103 * param_6.z)) + (_e104 * param_6.w));
-    let _e117 = (_e101 - _e116);
-    let _e118 = (_e102 - _e116);
-    let _e119 = (_e103 - _e116);
-    let _e120 = (_e104 - _e116);
-    let _e135 = (((((_e117 * _e117) * param_6.x) + ((_e118 * _e118) * param_6.y)) + ((_e119 * _e119) * param_6.z)) + ((_e120 * _e120) * param_6.w));
-    if ((bitcast<u32>(_e105) & 2147483647u) > 2139095040u) {
-        phi_297_ = true;
+    let _e101 = phi_252_;
+    let _e102 = (_e65 - _e53);
+    let _e103 = (_e77 - _e53);
+    let _e104 = (_e89 - _e53);
+    let _e105 = (_e101 - _e53);
+    let _e106 = (*param_4);
+    let _e117 = ((((_e102 * param_6.x) + (_e103 * param_6.y)) + (_e104 * param_6.z)) + (_e105 * param_6.w));
+    let _e118 = (_e102 - _e117);
+    let _e119 = (_e103 - _e117);
+    let _e120 = (_e104 - _e117);
+    let _e121 = (_e105 - _e117);
+    let _e136 = (((((_e118 * _e118) * param_6.x) + ((_e119 * _e119) * param_6.y)) + ((_e120 * _e120) * param_6.z)) + ((_e121 * _e121) * param_6.w));
+    if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
+        phi_298_ = true;
     } else {
-        let _e139 = (_e105 > _e135);
-        if _e139 {
+        let _e140 = (_e106 > _e136);
+        if _e140 {
         }
-        phi_297_ = _e139;
+        phi_298_ = _e140;
     }
-    let _e141 = phi_297_;
-    if _e141 {
-        phi_301_ = _e105;
+    let _e142 = phi_298_;
+    if _e142 {
+        phi_302_ = _e106;
     } else {
-        phi_301_ = _e135;
+        phi_302_ = _e136;
     }
-    let _e143 = phi_301_;
-    let _e144 = -(_e116);
-    if (_e144 <= 0f) {
-        let _e148 = ((bitcast<u32>(_e143) & 2147483647u) > 2139095040u);
-        if _e148 {
+    let _e144 = phi_302_;
+    let _e145 = -(_e117);
+    if (_e145 <= 0f) {
+        let _e149 = ((bitcast<u32>(_e144) & 2147483647u) > 2139095040u);
+        if _e149 {
         }
-        phi_313_ = _e148;
+        phi_314_ = _e149;
     } else {
-        phi_313_ = true;
+        phi_314_ = true;
     }
-    let _e150 = phi_313_;
-    if _e150 {
-        phi_320_ = (_e143 / (_e143 + (_e144 * _e144)));
+    let _e151 = phi_314_;
+    if _e151 {
+        phi_321_ = (_e144 / (_e144 + (_e145 * _e145)));
     } else {
-        phi_320_ = 1f;
+        phi_321_ = 1f;
     }
-    let _e155 = phi_320_;
-    if ((bitcast<u32>(_e155) & 2147483647u) > 2139095040u) {
-        phi_337_ = _e155;
+    let _e156 = phi_321_;
+    if ((bitcast<u32>(_e156) & 2147483647u) > 2139095040u) {
+        phi_338_ = _e156;
     } else {
-        if (_e155 < 0f) {
-            phi_336_ = 0f;
+        if (_e156 < 0f) {
+            phi_337_ = 0f;
         } else {
-            if (_e155 > 1f) {
-                phi_335_ = 1f;
+            if (_e156 > 1f) {
+                phi_336_ = 1f;
             } else {
-                phi_335_ = _e155;
+                phi_336_ = _e156;
             }
-            let _e162 = phi_335_;
-            phi_336_ = _e162;
+            let _e163 = phi_336_;
+            phi_337_ = _e163;
         }
-        let _e164 = phi_336_;
-        phi_337_ = _e164;
+        let _e165 = phi_337_;
+        phi_338_ = _e165;
     }
-    let _e166 = phi_337_;
-    return _e166;
+    let _e167 = phi_338_;
+    return _e167;
 }
 
 fn function_() {
     var local: f32;
-    var phi_397_: bool;
     var phi_398_: bool;
     var phi_399_: bool;
     var phi_400_: bool;
-    var phi_404_: bool;
-    var phi_474_: bool;
+    var phi_401_: bool;
+    var phi_405_: bool;
     var phi_475_: bool;
-    var phi_486_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_487_: bool;
-    var phi_488_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_489_: bool;
-    var phi_496_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_500_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_520_: lt_math_LightPoint;
-    var phi_523_: u32;
-    var phi_525_: lt_math_LevelPoint;
-    var phi_611_: bool;
-    var phi_620_: bool;
-    var phi_629_: bool;
+    var phi_476_: bool;
+    var phi_487_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_488_: bool;
+    var phi_489_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_490_: bool;
+    var phi_497_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_501_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_521_: lt_math_LightPoint;
+    var phi_524_: u32;
+    var phi_526_: lt_math_LevelPoint;
+    var phi_612_: bool;
+    var phi_621_: bool;
     var phi_630_: bool;
     var phi_631_: bool;
     var phi_632_: bool;
     var phi_633_: bool;
     var phi_634_: bool;
     var phi_635_: bool;
-    var phi_639_: bool;
-    var phi_666_: bool;
+    var phi_636_: bool;
+    var phi_640_: bool;
     var phi_667_: bool;
     var phi_668_: bool;
     var phi_669_: bool;
@@ -342,618 +341,620 @@ fn function_() {
     var phi_671_: bool;
     var phi_672_: bool;
     var phi_673_: bool;
-    var phi_677_: bool;
-    var phi_686_: lt_math_LightPoint;
-    var phi_687_: u32;
-    var phi_688_: lt_math_LevelPoint;
-    var phi_689_: bool;
-    var phi_521_: lt_math_LightPoint;
-    var phi_524_: u32;
-    var phi_526_: lt_math_LevelPoint;
+    var phi_674_: bool;
+    var phi_678_: bool;
+    var phi_687_: lt_math_LightPoint;
+    var phi_688_: u32;
+    var phi_689_: lt_math_LevelPoint;
     var phi_690_: bool;
+    var phi_522_: lt_math_LightPoint;
+    var phi_525_: u32;
+    var phi_527_: lt_math_LevelPoint;
+    var phi_691_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_730_: bool;
     var phi_731_: bool;
     var phi_732_: bool;
     var phi_733_: bool;
-    var phi_737_: bool;
-    var phi_819_: f32;
-    var phi_935_: f32;
-    var phi_936_: f32;
+    var phi_734_: bool;
+    var phi_738_: bool;
+    var phi_820_: f32;
+    var phi_938_: f32;
     var phi_939_: f32;
-    var phi_968_: f32;
-    var phi_973_: f32;
-    var phi_974_: bool;
-    var phi_975_: f32;
-    var phi_976_: bool;
-    var phi_980_: f32;
-    var phi_1000_: f32;
-    var phi_1005_: f32;
-    var phi_1006_: bool;
-    var phi_1007_: f32;
-    var phi_1008_: bool;
-    var phi_1012_: f32;
+    var phi_942_: f32;
+    var phi_971_: f32;
+    var phi_976_: f32;
+    var phi_977_: bool;
+    var phi_978_: f32;
+    var phi_979_: bool;
+    var phi_983_: f32;
+    var phi_1003_: f32;
+    var phi_1008_: f32;
+    var phi_1009_: bool;
+    var phi_1010_: f32;
+    var phi_1011_: bool;
+    var phi_1015_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1061_: i32;
-    var phi_1066_: i32;
-    var phi_1071_: i32;
-    var phi_1076_: i32;
-    var phi_1085_: i32;
-    var phi_1090_: i32;
-    var phi_1095_: i32;
-    var phi_1100_: i32;
-    var phi_1151_: bool;
-    var phi_1159_: bool;
-    var phi_1171_: bool;
-    var phi_1172_: bool;
-    var phi_1176_: f32;
-    var phi_1182_: f32;
-    var phi_1184_: evaluate_Verdict;
-    var phi_1189_: evaluate_Verdict;
-    var phi_1190_: evaluate_Verdict;
+    var phi_1064_: i32;
+    var phi_1069_: i32;
+    var phi_1074_: i32;
+    var phi_1079_: i32;
+    var phi_1088_: i32;
+    var phi_1093_: i32;
+    var phi_1098_: i32;
+    var phi_1103_: i32;
+    var phi_1154_: bool;
+    var phi_1162_: bool;
+    var phi_1174_: bool;
+    var phi_1175_: bool;
+    var phi_1179_: f32;
+    var phi_1185_: f32;
+    var phi_1187_: evaluate_Verdict;
+    var phi_1192_: evaluate_Verdict;
+    var phi_1193_: evaluate_Verdict;
 
-    let _e39 = id_1;
-    let _e46 = arrayLength((&map.member));
-    let _e52 = arrayLength((&levels.member));
-    let _e55 = p.member.size[0u];
-    let _e57 = p.member.size[1u];
-    let _e58 = lt_shaders_entry_pixel_index(_e39, _e55, _e57);
-    if (bitcast<i32>(_e58.root) != 0i) {
-        let _e64 = p.member.level_count;
-        if (_e58.first_primitive < arrayLength((&samples.member))) {
+    let _e40 = id_1;
+    let _e47 = arrayLength((&map.member));
+    let _e53 = arrayLength((&levels.member));
+    let _e56 = p.member.size[0u];
+    let _e58 = p.member.size[1u];
+    let _e59 = lt_shaders_entry_pixel_index(_e40, _e56, _e58);
+    if (bitcast<i32>(_e59.root) != 0i) {
+        let _e65 = p.member.level_count;
+        if (_e59.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e71 = samples.member[(0u + _e58.first_primitive)].normal[0u];
-        let _e73 = global[0u];
-        if (_e71 == _e73) {
-            let _e76 = samples.member[(0u + _e58.first_primitive)].normal[1u];
-            let _e78 = global[1u];
-            if (_e76 == _e78) {
-                let _e81 = samples.member[(0u + _e58.first_primitive)].normal[2u];
-                let _e83 = global[2u];
-                phi_397_ = (_e81 == _e83);
-                phi_398_ = false;
+        let _e72 = samples.member[(0u + _e59.first_primitive)].normal[0u];
+        let _e74 = global[0u];
+        if (_e72 == _e74) {
+            let _e77 = samples.member[(0u + _e59.first_primitive)].normal[1u];
+            let _e79 = global[1u];
+            if (_e77 == _e79) {
+                let _e82 = samples.member[(0u + _e59.first_primitive)].normal[2u];
+                let _e84 = global[2u];
+                phi_398_ = (_e82 == _e84);
+                phi_399_ = false;
             } else {
-                phi_397_ = bool();
-                phi_398_ = true;
+                phi_398_ = bool();
+                phi_399_ = true;
             }
-            let _e86 = phi_397_;
-            let _e88 = phi_398_;
-            phi_399_ = _e86;
-            phi_400_ = _e88;
+            let _e87 = phi_398_;
+            let _e89 = phi_399_;
+            phi_400_ = _e87;
+            phi_401_ = _e89;
         } else {
-            phi_399_ = bool();
-            phi_400_ = true;
+            phi_400_ = bool();
+            phi_401_ = true;
         }
-        let _e90 = phi_399_;
-        let _e92 = phi_400_;
-        if _e92 {
-            phi_404_ = false;
+        let _e91 = phi_400_;
+        let _e93 = phi_401_;
+        if _e93 {
+            phi_405_ = false;
         } else {
-            phi_404_ = _e90;
+            phi_405_ = _e91;
         }
-        let _e94 = phi_404_;
-        if !(_e94) {
-            let _e97 = samples.member[(0u + _e58.first_primitive)].position;
-            let _e99 = p.member.light.place;
-            let _e105 = p.member.light.place[3u];
-            let _e112 = (_e99.x - (_e97.x * _e105));
-            let _e113 = (_e99.y - (_e97.y * _e105));
-            let _e114 = (_e99.z - (_e97.z * _e105));
-            let _e116 = samples.member[(0u + _e58.first_primitive)].normal;
-            if ((((_e116.x * _e112) + (_e116.y * _e113)) + (_e116.z * _e114)) > 0f) {
-                let _e130 = (((_e112 * _e112) + (_e113 * _e113)) + (_e114 * _e114));
-                let _e132 = p.member.light.axis;
-                let _e144 = p.member.light.place[3u];
-                if (_e144 == 0f) {
-                    phi_475_ = true;
+        let _e95 = phi_405_;
+        if !(_e95) {
+            let _e98 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e100 = p.member.light.place;
+            let _e106 = p.member.light.place[3u];
+            let _e113 = (_e100.x - (_e98.x * _e106));
+            let _e114 = (_e100.y - (_e98.y * _e106));
+            let _e115 = (_e100.z - (_e98.z * _e106));
+            let _e117 = samples.member[(0u + _e59.first_primitive)].normal;
+            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
+                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
+                let _e133 = p.member.light.axis;
+                let _e145 = p.member.light.place[3u];
+                if (_e145 == 0f) {
+                    phi_476_ = true;
                 } else {
-                    let _e147 = p.member.light.range_squared;
-                    if (_e130 <= _e147) {
-                        let _e150 = p.member.light.cos_outer;
-                        phi_474_ = (-((((_e112 * _e132.x) + (_e113 * _e132.y)) + (_e114 * _e132.z))) >= (_e150 * sqrt(_e130)));
+                    let _e148 = p.member.light.range_squared;
+                    if (_e131 <= _e148) {
+                        let _e151 = p.member.light.cos_outer;
+                        phi_475_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
                     } else {
-                        phi_474_ = false;
+                        phi_475_ = false;
                     }
-                    let _e155 = phi_474_;
-                    phi_475_ = _e155;
+                    let _e156 = phi_475_;
+                    phi_476_ = _e156;
                 }
-                let _e157 = phi_475_;
-                if _e157 {
-                    let _e159 = samples.member[(0u + _e58.first_primitive)].flags;
-                    let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-                    phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, ((_e159 & 1u) == 0u));
-                    phi_487_ = false;
+                let _e158 = phi_476_;
+                if _e158 {
+                    let _e160 = samples.member[(0u + _e59.first_primitive)].flags;
+                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+                    phi_487_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
+                    phi_488_ = false;
                 } else {
-                    phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_487_ = true;
+                    phi_487_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_488_ = true;
                 }
-                let _e178 = phi_486_;
-                let _e180 = phi_487_;
-                phi_488_ = _e178;
-                phi_489_ = _e180;
+                let _e179 = phi_487_;
+                let _e181 = phi_488_;
+                phi_489_ = _e179;
+                phi_490_ = _e181;
             } else {
-                phi_488_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_489_ = true;
+                phi_489_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_490_ = true;
             }
-            let _e182 = phi_488_;
-            let _e184 = phi_489_;
-            if _e184 {
-                let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
-                phi_496_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, true);
+            let _e183 = phi_489_;
+            let _e185 = phi_490_;
+            if _e185 {
+                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
+                phi_497_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
             } else {
-                phi_496_ = _e182;
+                phi_497_ = _e183;
             }
-            let _e201 = phi_496_;
-            phi_500_ = _e201;
+            let _e202 = phi_497_;
+            phi_501_ = _e202;
         } else {
-            let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e207.unnamed.visibility, false), _e207.unnamed_1);
-            phi_500_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e213.unnamed, true);
+            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
+            phi_501_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
         }
-        let _e218 = phi_500_;
-        if _e218.unnamed_1 {
-            phi_1190_ = evaluate_Verdict(_e218.unnamed.visibility, _e218.unnamed.is_doubted);
+        let _e219 = phi_501_;
+        if _e219.unnamed_1 {
+            phi_1193_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
         } else {
-            let _e226 = samples.member[(0u + _e58.first_primitive)].position;
-            let _e228 = p.member.map_size;
-            let _e230 = (0.5f / f32(_e228));
-            let _e237 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e244 = lt_math_LightPoint(vec2<f32>(_e237.uv.x, 0f), _e237.depth, _e237.is_inside);
-            let _e248 = lt_math_LightPoint(_e244.uv, 0f, _e244.is_inside);
-            phi_520_ = lt_math_LightPoint();
-            phi_523_ = 0u;
-            phi_525_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e248.uv, _e248.depth, false));
+            let _e227 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e229 = p.member.map_size;
+            let _e231 = (0.5f / f32(_e229));
+            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
+            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
+            phi_521_ = lt_math_LightPoint();
+            phi_524_ = 0u;
+            phi_526_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
             loop {
-                let _e255 = phi_520_;
-                let _e257 = phi_523_;
-                let _e259 = phi_525_;
-                local_1 = _e259;
-                local_2 = _e259;
-                local_3 = _e259;
-                if (_e257 < _e64) {
-                    if _e259.point.is_inside {
-                        phi_686_ = lt_math_LightPoint();
-                        phi_687_ = u32();
-                        phi_688_ = lt_math_LevelPoint();
-                        phi_689_ = false;
+                let _e256 = phi_521_;
+                let _e258 = phi_524_;
+                let _e260 = phi_526_;
+                local_1 = _e260;
+                local_2 = _e260;
+                local_3 = _e260;
+                if (_e258 < _e65) {
+                    if _e260.point.is_inside {
+                        phi_687_ = lt_math_LightPoint();
+                        phi_688_ = u32();
+                        phi_689_ = lt_math_LevelPoint();
+                        phi_690_ = false;
                     } else {
-                        if (_e257 < _e52) {
+                        if (_e258 < _e53) {
                         } else {
                             return;
                         }
-                        let _e270 = levels.member[(0u + _e257)].row_w;
-                        let _e281 = ((((_e270.x * _e226.x) + (_e270.y * _e226.y)) + (_e270.z * _e226.z)) + (_e270.w * 1f));
-                        let _e283 = levels.member[(0u + _e257)].row_x;
-                        let _e295 = (((((_e283.x * _e226.x) + (_e283.y * _e226.y)) + (_e283.z * _e226.z)) + (_e283.w * 1f)) / _e281);
-                        let _e297 = levels.member[(0u + _e257)].row_y;
-                        let _e309 = (((((_e297.x * _e226.x) + (_e297.y * _e226.y)) + (_e297.z * _e226.z)) + (_e297.w * 1f)) / _e281);
-                        let _e311 = levels.member[(0u + _e257)].row_z;
-                        let _e322 = ((((_e311.x * _e226.x) + (_e311.y * _e226.y)) + (_e311.z * _e226.z)) + (_e311.w * 1f));
-                        if (_e281 > 0f) {
-                            if (_e295 >= 0f) {
-                                phi_611_ = (_e295 <= 1f);
+                        let _e271 = levels.member[(0u + _e258)].row_w;
+                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
+                        let _e284 = levels.member[(0u + _e258)].row_x;
+                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
+                        let _e298 = levels.member[(0u + _e258)].row_y;
+                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
+                        let _e312 = levels.member[(0u + _e258)].row_z;
+                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
+                        if (_e282 > 0f) {
+                            if (_e296 >= 0f) {
+                                phi_612_ = (_e296 <= 1f);
                             } else {
-                                phi_611_ = false;
+                                phi_612_ = false;
                             }
-                            let _e327 = phi_611_;
-                            if _e327 {
-                                if (_e309 >= 0f) {
-                                    phi_620_ = (_e309 <= 1f);
+                            let _e328 = phi_612_;
+                            if _e328 {
+                                if (_e310 >= 0f) {
+                                    phi_621_ = (_e310 <= 1f);
                                 } else {
-                                    phi_620_ = false;
+                                    phi_621_ = false;
                                 }
-                                let _e331 = phi_620_;
-                                if _e331 {
-                                    if (_e322 >= 0f) {
-                                        phi_629_ = (_e322 <= 1f);
+                                let _e332 = phi_621_;
+                                if _e332 {
+                                    if (_e323 >= 0f) {
+                                        phi_630_ = (_e323 <= 1f);
                                     } else {
-                                        phi_629_ = false;
+                                        phi_630_ = false;
                                     }
-                                    let _e335 = phi_629_;
-                                    phi_630_ = _e335;
-                                    phi_631_ = false;
+                                    let _e336 = phi_630_;
+                                    phi_631_ = _e336;
+                                    phi_632_ = false;
                                 } else {
-                                    phi_630_ = bool();
-                                    phi_631_ = true;
+                                    phi_631_ = bool();
+                                    phi_632_ = true;
                                 }
-                                let _e337 = phi_630_;
-                                let _e339 = phi_631_;
-                                phi_632_ = _e337;
-                                phi_633_ = _e339;
+                                let _e338 = phi_631_;
+                                let _e340 = phi_632_;
+                                phi_633_ = _e338;
+                                phi_634_ = _e340;
                             } else {
-                                phi_632_ = bool();
-                                phi_633_ = true;
+                                phi_633_ = bool();
+                                phi_634_ = true;
                             }
-                            let _e341 = phi_632_;
-                            let _e343 = phi_633_;
-                            phi_634_ = _e341;
-                            phi_635_ = _e343;
+                            let _e342 = phi_633_;
+                            let _e344 = phi_634_;
+                            phi_635_ = _e342;
+                            phi_636_ = _e344;
                         } else {
-                            phi_634_ = bool();
-                            phi_635_ = true;
+                            phi_635_ = bool();
+                            phi_636_ = true;
                         }
-                        let _e345 = phi_634_;
-                        let _e347 = phi_635_;
-                        if _e347 {
-                            phi_639_ = false;
+                        let _e346 = phi_635_;
+                        let _e348 = phi_636_;
+                        if _e348 {
+                            phi_640_ = false;
                         } else {
-                            phi_639_ = _e345;
+                            phi_640_ = _e346;
                         }
-                        let _e349 = phi_639_;
-                        if _e349 {
-                            if (_e295 >= _e230) {
-                                if (_e295 <= (1f - _e230)) {
-                                    if (_e309 >= _e230) {
-                                        phi_666_ = (_e309 <= (1f - _e230));
-                                        phi_667_ = false;
+                        let _e350 = phi_640_;
+                        if _e350 {
+                            if (_e296 >= _e231) {
+                                if (_e296 <= (1f - _e231)) {
+                                    if (_e310 >= _e231) {
+                                        phi_667_ = (_e310 <= (1f - _e231));
+                                        phi_668_ = false;
                                     } else {
-                                        phi_666_ = bool();
-                                        phi_667_ = true;
+                                        phi_667_ = bool();
+                                        phi_668_ = true;
                                     }
-                                    let _e357 = phi_666_;
-                                    let _e359 = phi_667_;
-                                    phi_668_ = _e357;
-                                    phi_669_ = _e359;
+                                    let _e358 = phi_667_;
+                                    let _e360 = phi_668_;
+                                    phi_669_ = _e358;
+                                    phi_670_ = _e360;
                                 } else {
-                                    phi_668_ = bool();
-                                    phi_669_ = true;
+                                    phi_669_ = bool();
+                                    phi_670_ = true;
                                 }
-                                let _e361 = phi_668_;
-                                let _e363 = phi_669_;
-                                phi_670_ = _e361;
-                                phi_671_ = _e363;
+                                let _e362 = phi_669_;
+                                let _e364 = phi_670_;
+                                phi_671_ = _e362;
+                                phi_672_ = _e364;
                             } else {
-                                phi_670_ = bool();
-                                phi_671_ = true;
+                                phi_671_ = bool();
+                                phi_672_ = true;
                             }
-                            let _e365 = phi_670_;
-                            let _e367 = phi_671_;
-                            phi_672_ = _e365;
-                            phi_673_ = _e367;
+                            let _e366 = phi_671_;
+                            let _e368 = phi_672_;
+                            phi_673_ = _e366;
+                            phi_674_ = _e368;
                         } else {
-                            phi_672_ = bool();
-                            phi_673_ = true;
+                            phi_673_ = bool();
+                            phi_674_ = true;
                         }
-                        let _e369 = phi_672_;
-                        let _e371 = phi_673_;
-                        if _e371 {
-                            phi_677_ = false;
+                        let _e370 = phi_673_;
+                        let _e372 = phi_674_;
+                        if _e372 {
+                            phi_678_ = false;
                         } else {
-                            phi_677_ = _e369;
+                            phi_678_ = _e370;
                         }
-                        let _e373 = phi_677_;
-                        let _e380 = lt_math_LightPoint(vec2<f32>(_e295, _e255.uv.y), _e255.depth, _e255.is_inside);
-                        let _e387 = lt_math_LightPoint(vec2<f32>(_e380.uv.x, _e309), _e380.depth, _e380.is_inside);
-                        let _e391 = lt_math_LightPoint(_e387.uv, _e322, _e387.is_inside);
-                        let _e395 = lt_math_LightPoint(_e391.uv, _e391.depth, _e373);
-                        phi_686_ = _e395;
-                        phi_687_ = (_e257 + 1u);
-                        phi_688_ = lt_math_LevelPoint(_e257, _e395);
-                        phi_689_ = true;
+                        let _e374 = phi_678_;
+                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
+                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
+                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
+                        phi_687_ = _e396;
+                        phi_688_ = (_e258 + 1u);
+                        phi_689_ = lt_math_LevelPoint(_e258, _e396);
+                        phi_690_ = true;
                     }
-                    let _e399 = phi_686_;
-                    let _e401 = phi_687_;
-                    let _e403 = phi_688_;
-                    let _e405 = phi_689_;
-                    phi_521_ = _e399;
-                    phi_524_ = _e401;
-                    phi_526_ = _e403;
-                    phi_690_ = _e405;
+                    let _e400 = phi_687_;
+                    let _e402 = phi_688_;
+                    let _e404 = phi_689_;
+                    let _e406 = phi_690_;
+                    phi_522_ = _e400;
+                    phi_525_ = _e402;
+                    phi_527_ = _e404;
+                    phi_691_ = _e406;
                 } else {
-                    phi_521_ = lt_math_LightPoint();
-                    phi_524_ = u32();
-                    phi_526_ = lt_math_LevelPoint();
-                    phi_690_ = false;
+                    phi_522_ = lt_math_LightPoint();
+                    phi_525_ = u32();
+                    phi_527_ = lt_math_LevelPoint();
+                    phi_691_ = false;
                 }
-                let _e407 = phi_521_;
-                let _e409 = phi_524_;
-                let _e411 = phi_526_;
-                let _e413 = phi_690_;
+                let _e408 = phi_522_;
+                let _e410 = phi_525_;
+                let _e412 = phi_527_;
+                let _e414 = phi_691_;
                 continue;
                 continuing {
-                    phi_520_ = _e407;
-                    phi_523_ = _e409;
-                    phi_525_ = _e411;
-                    break if !(_e413);
+                    phi_521_ = _e408;
+                    phi_524_ = _e410;
+                    phi_526_ = _e412;
+                    break if !(_e414);
                 }
             }
-            let _e416 = local_1;
-            if _e416.point.is_inside {
+            let _e417 = local_1;
+            if _e417.point.is_inside {
                 if (0f > 0f) {
-                    let _e422 = local_2;
-                    if (_e422.level < _e52) {
+                    let _e423 = local_2;
+                    if (_e423.level < _e53) {
                     } else {
                         return;
                     }
-                    let _e427 = levels.member[(0u + _e422.level)];
-                    let _e433 = global[0u];
-                    if (_e427.row_w.x == _e433) {
-                        let _e436 = global[1u];
-                        if (_e427.row_w.y == _e436) {
-                            let _e439 = global[2u];
-                            phi_730_ = (_e427.row_w.z == _e439);
-                            phi_731_ = false;
+                    let _e428 = levels.member[(0u + _e423.level)];
+                    let _e434 = global[0u];
+                    if (_e428.row_w.x == _e434) {
+                        let _e437 = global[1u];
+                        if (_e428.row_w.y == _e437) {
+                            let _e440 = global[2u];
+                            phi_731_ = (_e428.row_w.z == _e440);
+                            phi_732_ = false;
                         } else {
-                            phi_730_ = bool();
-                            phi_731_ = true;
+                            phi_731_ = bool();
+                            phi_732_ = true;
                         }
-                        let _e442 = phi_730_;
-                        let _e444 = phi_731_;
-                        phi_732_ = _e442;
-                        phi_733_ = _e444;
+                        let _e443 = phi_731_;
+                        let _e445 = phi_732_;
+                        phi_733_ = _e443;
+                        phi_734_ = _e445;
                     } else {
-                        phi_732_ = bool();
-                        phi_733_ = true;
+                        phi_733_ = bool();
+                        phi_734_ = true;
                     }
-                    let _e446 = phi_732_;
-                    let _e448 = phi_733_;
-                    if _e448 {
-                        phi_737_ = false;
+                    let _e447 = phi_733_;
+                    let _e449 = phi_734_;
+                    if _e449 {
+                        phi_738_ = false;
                     } else {
-                        phi_737_ = _e446;
+                        phi_738_ = _e447;
                     }
-                    let _e450 = phi_737_;
-                    if _e450 {
-                        let _e452 = samples.member[(0u + _e58.first_primitive)].normal;
-                        let _e454 = p.member.map_size;
-                        let _e524 = ((abs(((((_e427.row_x.x * _e452.x) + (_e427.row_x.y * _e452.y)) + (_e427.row_x.z * _e452.z)) / (((_e427.row_x.x * _e427.row_x.x) + (_e427.row_x.y * _e427.row_x.y)) + (_e427.row_x.z * _e427.row_x.z)))) + abs(((((_e427.row_y.x * _e452.x) + (_e427.row_y.y * _e452.y)) + (_e427.row_y.z * _e452.z)) / (((_e427.row_y.x * _e427.row_y.x) + (_e427.row_y.y * _e427.row_y.y)) + (_e427.row_y.z * _e427.row_y.z))))) / (abs(((((_e427.row_z.x * _e452.x) + (_e427.row_z.y * _e452.y)) + (_e427.row_z.z * _e452.z)) / (((_e427.row_z.x * _e427.row_z.x) + (_e427.row_z.y * _e427.row_z.y)) + (_e427.row_z.z * _e427.row_z.z)))) * f32(_e454)));
-                        if (_e524 < 0.002f) {
-                            phi_819_ = _e524;
+                    let _e451 = phi_738_;
+                    if _e451 {
+                        let _e453 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e455 = p.member.map_size;
+                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
+                        if (_e525 < 0.002f) {
+                            phi_820_ = _e525;
                         } else {
-                            phi_819_ = 0.002f;
+                            phi_820_ = 0.002f;
                         }
-                        let _e527 = phi_819_;
-                        phi_936_ = _e527;
+                        let _e528 = phi_820_;
+                        phi_939_ = _e528;
                     } else {
-                        let _e529 = p.member.map_size;
-                        let _e535 = samples.member[(0u + _e58.first_primitive)].position;
-                        let _e546 = ((((_e427.row_w.x * _e535.x) + (_e427.row_w.y * _e535.y)) + (_e427.row_w.z * _e535.z)) + _e427.row_w.w);
-                        let _e559 = ((_e427.row_x.x - (_e427.row_w.x * _e416.point.uv.x)) / _e546);
-                        let _e560 = ((_e427.row_x.y - (_e427.row_w.y * _e416.point.uv.x)) / _e546);
-                        let _e561 = ((_e427.row_x.z - (_e427.row_w.z * _e416.point.uv.x)) / _e546);
-                        let _e574 = ((_e427.row_y.x - (_e427.row_w.x * _e416.point.uv.y)) / _e546);
-                        let _e575 = ((_e427.row_y.y - (_e427.row_w.y * _e416.point.uv.y)) / _e546);
-                        let _e576 = ((_e427.row_y.z - (_e427.row_w.z * _e416.point.uv.y)) / _e546);
-                        let _e582 = samples.member[(0u + _e58.first_primitive)].normal;
-                        let _e587 = ((_e575 * _e582.z) - (_e582.y * _e576));
-                        let _e592 = ((_e576 * _e582.x) - (_e582.z * _e574));
-                        let _e597 = ((_e574 * _e582.y) - (_e582.x * _e575));
-                        let _e599 = samples.member[(0u + _e58.first_primitive)].normal;
-                        let _e604 = ((_e560 * _e599.z) - (_e599.y * _e561));
-                        let _e609 = ((_e561 * _e599.x) - (_e599.z * _e559));
-                        let _e614 = ((_e559 * _e599.y) - (_e599.x * _e560));
-                        let _e641 = ((abs(((((_e427.row_z.x * _e587) + (_e427.row_z.y * _e592)) + (_e427.row_z.z * _e597)) / (((_e559 * _e587) + (_e560 * _e592)) + (_e561 * _e597)))) + abs(((((_e427.row_z.x * _e604) + (_e427.row_z.y * _e609)) + (_e427.row_z.z * _e614)) / (((_e574 * _e604) + (_e575 * _e609)) + (_e576 * _e614))))) / f32(_e529));
-                        if (_e641 < 0.002f) {
-                            phi_935_ = _e641;
+                        let _e530 = p.member.map_size;
+                        let _e536 = samples.member[(0u + _e59.first_primitive)].position;
+                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
+                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
+                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
+                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
+                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
+                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
+                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
+                        let _e583 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
+                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
+                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
+                        let _e600 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
+                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
+                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
+                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
+                        let _e644 = (16f / f32(_e530));
+                        if (_e642 < _e644) {
+                            phi_938_ = _e642;
                         } else {
-                            phi_935_ = 0.002f;
+                            phi_938_ = _e644;
                         }
-                        let _e644 = phi_935_;
-                        phi_936_ = _e644;
+                        let _e647 = phi_938_;
+                        phi_939_ = _e647;
                     }
-                    let _e646 = phi_936_;
-                    phi_939_ = (_e416.point.depth - (0f * _e646));
+                    let _e649 = phi_939_;
+                    phi_942_ = (_e417.point.depth - (0f * _e649));
                 } else {
-                    phi_939_ = _e416.point.depth;
+                    phi_942_ = _e417.point.depth;
                 }
-                let _e650 = phi_939_;
-                let _e656 = p.member.map_size;
-                let _e657 = f32(_e656);
-                let _e660 = ((_e416.point.uv.x * _e657) - 0.5f);
-                let _e661 = ((_e416.point.uv.y * _e657) - 0.5f);
-                if (_e660 > -8388608f) {
-                    let _e673 = f32(select(0i, select(select(i32(_e660), i32(-2147483648), (_e660 < bitcast<f32>(3472883712u))), 2147483647i, (_e660 > bitcast<f32>(1325400063u))), (_e660 == _e660)));
-                    if (_e673 > _e660) {
-                        phi_968_ = 1f;
+                let _e653 = phi_942_;
+                let _e659 = p.member.map_size;
+                let _e660 = f32(_e659);
+                let _e663 = ((_e417.point.uv.x * _e660) - 0.5f);
+                let _e664 = ((_e417.point.uv.y * _e660) - 0.5f);
+                if (_e663 > -8388608f) {
+                    let _e676 = f32(select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < bitcast<f32>(3472883712u))), 2147483647i, (_e663 > bitcast<f32>(1325400063u))), (_e663 == _e663)));
+                    if (_e676 > _e663) {
+                        phi_971_ = 1f;
                     } else {
-                        phi_968_ = 0f;
+                        phi_971_ = 0f;
                     }
-                    let _e676 = phi_968_;
-                    if (_e660 < 8388608f) {
-                        phi_973_ = (_e673 - _e676);
-                        phi_974_ = false;
+                    let _e679 = phi_971_;
+                    if (_e663 < 8388608f) {
+                        phi_976_ = (_e676 - _e679);
+                        phi_977_ = false;
                     } else {
-                        phi_973_ = f32();
-                        phi_974_ = true;
+                        phi_976_ = f32();
+                        phi_977_ = true;
                     }
-                    let _e679 = phi_973_;
-                    let _e681 = phi_974_;
-                    phi_975_ = _e679;
-                    phi_976_ = _e681;
+                    let _e682 = phi_976_;
+                    let _e684 = phi_977_;
+                    phi_978_ = _e682;
+                    phi_979_ = _e684;
                 } else {
-                    phi_975_ = f32();
-                    phi_976_ = true;
+                    phi_978_ = f32();
+                    phi_979_ = true;
                 }
-                let _e683 = phi_975_;
-                let _e685 = phi_976_;
-                if _e685 {
-                    phi_980_ = _e660;
+                let _e686 = phi_978_;
+                let _e688 = phi_979_;
+                if _e688 {
+                    phi_983_ = _e663;
                 } else {
-                    phi_980_ = _e683;
+                    phi_983_ = _e686;
                 }
-                let _e687 = phi_980_;
-                if (_e661 > -8388608f) {
-                    let _e699 = f32(select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < bitcast<f32>(3472883712u))), 2147483647i, (_e661 > bitcast<f32>(1325400063u))), (_e661 == _e661)));
-                    if (_e699 > _e661) {
-                        phi_1000_ = 1f;
+                let _e690 = phi_983_;
+                if (_e664 > -8388608f) {
+                    let _e702 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e702 > _e664) {
+                        phi_1003_ = 1f;
                     } else {
-                        phi_1000_ = 0f;
+                        phi_1003_ = 0f;
                     }
-                    let _e702 = phi_1000_;
-                    if (_e661 < 8388608f) {
-                        phi_1005_ = (_e699 - _e702);
-                        phi_1006_ = false;
+                    let _e705 = phi_1003_;
+                    if (_e664 < 8388608f) {
+                        phi_1008_ = (_e702 - _e705);
+                        phi_1009_ = false;
                     } else {
-                        phi_1005_ = f32();
-                        phi_1006_ = true;
+                        phi_1008_ = f32();
+                        phi_1009_ = true;
                     }
-                    let _e705 = phi_1005_;
-                    let _e707 = phi_1006_;
-                    phi_1007_ = _e705;
-                    phi_1008_ = _e707;
+                    let _e708 = phi_1008_;
+                    let _e710 = phi_1009_;
+                    phi_1010_ = _e708;
+                    phi_1011_ = _e710;
                 } else {
-                    phi_1007_ = f32();
-                    phi_1008_ = true;
+                    phi_1010_ = f32();
+                    phi_1011_ = true;
                 }
-                let _e709 = phi_1007_;
-                let _e711 = phi_1008_;
-                if _e711 {
-                    phi_1012_ = _e661;
+                let _e712 = phi_1010_;
+                let _e714 = phi_1011_;
+                if _e714 {
+                    phi_1015_ = _e664;
                 } else {
-                    phi_1012_ = _e709;
+                    phi_1015_ = _e712;
                 }
-                let _e713 = phi_1012_;
-                let _e714 = (_e660 - _e687);
-                let _e715 = (_e661 - _e713);
-                let _e724 = select(0i, select(select(i32(_e687), i32(-2147483648), (_e687 < bitcast<f32>(3472883712u))), 2147483647i, (_e687 > bitcast<f32>(1325400063u))), (_e687 == _e687));
-                let _e733 = select(0i, select(select(i32(_e713), i32(-2147483648), (_e713 < bitcast<f32>(3472883712u))), 2147483647i, (_e713 > bitcast<f32>(1325400063u))), (_e713 == _e713));
-                let _e744 = p.member.test;
-                let _e745 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e744);
-                let _e747 = p.member.map_size;
-                let _e749 = local_3;
-                local = _e745;
-                let _e752 = ((_e749.level * _e747) * _e747);
-                let _e754 = (bitcast<i32>(_e747) - 1i);
-                if (_e724 > 0i) {
-                    phi_1061_ = _e724;
+                let _e716 = phi_1015_;
+                let _e717 = (_e663 - _e690);
+                let _e718 = (_e664 - _e716);
+                let _e727 = select(0i, select(select(i32(_e690), i32(-2147483648), (_e690 < bitcast<f32>(3472883712u))), 2147483647i, (_e690 > bitcast<f32>(1325400063u))), (_e690 == _e690));
+                let _e736 = select(0i, select(select(i32(_e716), i32(-2147483648), (_e716 < bitcast<f32>(3472883712u))), 2147483647i, (_e716 > bitcast<f32>(1325400063u))), (_e716 == _e716));
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_3;
+                local = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
+                if (_e727 > 0i) {
+                    phi_1064_ = _e727;
                 } else {
-                    phi_1061_ = 0i;
+                    phi_1064_ = 0i;
                 }
-                let _e757 = phi_1061_;
-                if (_e733 > 0i) {
-                    phi_1066_ = _e733;
+                let _e760 = phi_1064_;
+                if (_e736 > 0i) {
+                    phi_1069_ = _e736;
                 } else {
-                    phi_1066_ = 0i;
+                    phi_1069_ = 0i;
                 }
-                let _e760 = phi_1066_;
-                if (_e757 < _e754) {
-                    phi_1071_ = _e757;
+                let _e763 = phi_1069_;
+                if (_e760 < _e757) {
+                    phi_1074_ = _e760;
                 } else {
-                    phi_1071_ = _e754;
+                    phi_1074_ = _e757;
                 }
-                let _e763 = phi_1071_;
-                if (_e760 < _e754) {
-                    phi_1076_ = _e760;
+                let _e766 = phi_1074_;
+                if (_e763 < _e757) {
+                    phi_1079_ = _e763;
                 } else {
-                    phi_1076_ = _e754;
+                    phi_1079_ = _e757;
                 }
-                let _e766 = phi_1076_;
-                let _e767 = bitcast<u32>(_e763);
-                let _e769 = (_e724 + 1i);
-                let _e770 = (_e733 + 1i);
-                if (_e769 > 0i) {
-                    phi_1085_ = _e769;
+                let _e769 = phi_1079_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e727 + 1i);
+                let _e773 = (_e736 + 1i);
+                if (_e772 > 0i) {
+                    phi_1088_ = _e772;
                 } else {
-                    phi_1085_ = 0i;
+                    phi_1088_ = 0i;
                 }
-                let _e773 = phi_1085_;
-                if (_e770 > 0i) {
-                    phi_1090_ = _e770;
+                let _e776 = phi_1088_;
+                if (_e773 > 0i) {
+                    phi_1093_ = _e773;
                 } else {
-                    phi_1090_ = 0i;
+                    phi_1093_ = 0i;
                 }
-                let _e776 = phi_1090_;
-                if (_e773 < _e754) {
-                    phi_1095_ = _e773;
+                let _e779 = phi_1093_;
+                if (_e776 < _e757) {
+                    phi_1098_ = _e776;
                 } else {
-                    phi_1095_ = _e754;
+                    phi_1098_ = _e757;
                 }
-                let _e779 = phi_1095_;
-                if (_e776 < _e754) {
-                    phi_1100_ = _e776;
+                let _e782 = phi_1098_;
+                if (_e779 < _e757) {
+                    phi_1103_ = _e779;
                 } else {
-                    phi_1100_ = _e754;
+                    phi_1103_ = _e757;
                 }
-                let _e782 = phi_1100_;
-                let _e783 = bitcast<u32>(_e779);
-                let _e785 = (bitcast<u32>(_e766) * _e747);
-                let _e786 = (bitcast<u32>(_e782) * _e747);
-                let _e791 = ((_e785 + _e767) + _e752);
-                let _e792 = ((_e785 + _e783) + _e752);
-                let _e793 = ((_e786 + _e767) + _e752);
-                let _e794 = ((_e786 + _e783) + _e752);
-                if (_e791 < _e46) {
+                let _e785 = phi_1103_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e47) {
                 } else {
                     return;
                 }
-                let _e798 = map.member[(0u + _e791)];
-                if (_e792 < _e46) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e47) {
                 } else {
                     return;
                 }
-                let _e802 = map.member[(0u + _e792)];
-                if (_e793 < _e46) {
+                let _e805 = map.member[(0u + _e795)];
+                if (_e796 < _e47) {
                 } else {
                     return;
                 }
-                let _e806 = map.member[(0u + _e793)];
-                if (_e794 < _e46) {
+                let _e809 = map.member[(0u + _e796)];
+                if (_e797 < _e47) {
                 } else {
                     return;
                 }
-                let _e810 = map.member[(0u + _e794)];
-                let _e812 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e798, _e802, _e806, _e810), vec4<f32>(((1f - _e714) * (1f - _e715)), (_e714 * (1f - _e715)), ((1f - _e714) * _e715), (_e714 * _e715)), _e650);
-                let _e814 = p.member.epsilon;
-                if (_e812 <= _e814) {
-                    phi_1151_ = true;
+                let _e813 = map.member[(0u + _e797)];
+                let _e815 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e801, _e805, _e809, _e813), vec4<f32>(((1f - _e717) * (1f - _e718)), (_e717 * (1f - _e718)), ((1f - _e717) * _e718), (_e717 * _e718)), _e653);
+                let _e817 = p.member.epsilon;
+                if (_e815 <= _e817) {
+                    phi_1154_ = true;
                 } else {
-                    phi_1151_ = (_e812 >= (1f - _e814));
+                    phi_1154_ = (_e815 >= (1f - _e817));
                 }
-                let _e819 = phi_1151_;
-                if ((bitcast<u32>(_e812) & 2147483647u) > 2139095040u) {
-                    phi_1159_ = true;
+                let _e822 = phi_1154_;
+                if ((bitcast<u32>(_e815) & 2147483647u) > 2139095040u) {
+                    phi_1162_ = true;
                 } else {
-                    phi_1159_ = !(_e819);
+                    phi_1162_ = !(_e822);
                 }
-                let _e825 = phi_1159_;
-                if _e825 {
-                    if (_e812 > 0f) {
-                        if (_e812 < 1f) {
-                            phi_1171_ = false;
+                let _e828 = phi_1162_;
+                if _e828 {
+                    if (_e815 > 0f) {
+                        if (_e815 < 1f) {
+                            phi_1174_ = false;
                         } else {
-                            phi_1171_ = true;
+                            phi_1174_ = true;
                         }
-                        let _e829 = phi_1171_;
-                        phi_1172_ = _e829;
+                        let _e832 = phi_1174_;
+                        phi_1175_ = _e832;
                     } else {
-                        phi_1172_ = true;
+                        phi_1175_ = true;
                     }
-                    let _e831 = phi_1172_;
-                    if _e831 {
-                        phi_1176_ = 0.5f;
+                    let _e834 = phi_1175_;
+                    if _e834 {
+                        phi_1179_ = 0.5f;
                     } else {
-                        phi_1176_ = _e812;
+                        phi_1179_ = _e815;
                     }
-                    let _e833 = phi_1176_;
-                    phi_1184_ = evaluate_Verdict(_e833, true);
+                    let _e836 = phi_1179_;
+                    phi_1187_ = evaluate_Verdict(_e836, true);
                 } else {
-                    if (_e812 > 0.5f) {
-                        phi_1182_ = 1f;
+                    if (_e815 > 0.5f) {
+                        phi_1185_ = 1f;
                     } else {
-                        phi_1182_ = 0f;
+                        phi_1185_ = 0f;
                     }
-                    let _e837 = phi_1182_;
-                    phi_1184_ = evaluate_Verdict(_e837, false);
+                    let _e840 = phi_1185_;
+                    phi_1187_ = evaluate_Verdict(_e840, false);
                 }
-                let _e840 = phi_1184_;
-                phi_1189_ = evaluate_Verdict(_e840.visibility, _e840.is_doubted);
+                let _e843 = phi_1187_;
+                phi_1192_ = evaluate_Verdict(_e843.visibility, _e843.is_doubted);
             } else {
-                phi_1189_ = evaluate_Verdict(0.5f, true);
+                phi_1192_ = evaluate_Verdict(0.5f, true);
             }
-            let _e846 = phi_1189_;
-            phi_1190_ = _e846;
+            let _e849 = phi_1192_;
+            phi_1193_ = _e849;
         }
-        let _e848 = phi_1190_;
-        if (_e58.first_primitive < arrayLength((&visibility.member))) {
+        let _e851 = phi_1193_;
+        if (_e59.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e58.first_primitive)] = _e848.visibility;
+        visibility.member[(0u + _e59.first_primitive)] = _e851.visibility;
     }
     return;
 }

@@ -96,37 +96,37 @@ var<storage> levels: type_41;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_147_: lt_bvh_traverse_Tree;
-    var phi_148_: bool;
-    var phi_149_: lt_bvh_traverse_Tree;
-    var phi_150_: bool;
-    var phi_155_: lt_bvh_traverse_Tree;
+    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_149_: bool;
+    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_151_: bool;
+    var phi_156_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_148_ = false;
+            phi_148_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_149_ = false;
         } else {
-            phi_147_ = lt_bvh_traverse_Tree();
-            phi_148_ = true;
+            phi_148_ = lt_bvh_traverse_Tree();
+            phi_149_ = true;
         }
-        let _e52 = phi_147_;
-        let _e54 = phi_148_;
-        phi_149_ = _e52;
-        phi_150_ = _e54;
+        let _e53 = phi_148_;
+        let _e55 = phi_149_;
+        phi_150_ = _e53;
+        phi_151_ = _e55;
     } else {
-        phi_149_ = lt_bvh_traverse_Tree();
-        phi_150_ = true;
+        phi_150_ = lt_bvh_traverse_Tree();
+        phi_151_ = true;
     }
-    let _e56 = phi_149_;
-    let _e58 = phi_150_;
-    if _e58 {
-        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e57 = phi_150_;
+    let _e59 = phi_151_;
+    if _e59 {
+        phi_156_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_155_ = _e56;
+        phi_156_ = _e57;
     }
-    let _e63 = phi_155_;
-    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
+    let _e64 = phi_156_;
+    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -134,118 +134,117 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_180_: f32;
     var phi_181_: f32;
     var phi_182_: f32;
-    var phi_200_: bool;
-    var phi_204_: f32;
-    var phi_216_: bool;
-    var phi_223_: f32;
-    var phi_238_: f32;
+    var phi_183_: f32;
+    var phi_201_: bool;
+    var phi_205_: f32;
+    var phi_217_: bool;
+    var phi_224_: f32;
     var phi_239_: f32;
     var phi_240_: f32;
+    var phi_241_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_182_ = param_6;
+        phi_183_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_181_ = 0f;
+            phi_182_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_180_ = 1f;
+                phi_181_ = 1f;
             } else {
-                phi_180_ = param_6;
+                phi_181_ = param_6;
             }
-            let _e48 = phi_180_;
-            phi_181_ = _e48;
+            let _e49 = phi_181_;
+            phi_182_ = _e49;
         }
-        let _e50 = phi_181_;
-        phi_182_ = _e50;
+        let _e51 = phi_182_;
+        phi_183_ = _e51;
     }
-    let _e52 = phi_182_;
-    let _e55 = (*param_4);
-    let _e59 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
-    if ((bitcast<u32>(_e55) & 2147483647u) > 2139095040u) {
-        phi_200_ = true;
+    let _e53 = phi_183_;
+    let _e56 = (*param_4);
+    let _e60 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
+    if ((bitcast<u32>(_e56) & 2147483647u) > 2139095040u) {
+        phi_201_ = true;
     } else {
-        let _e63 = (_e55 > _e59);
-        if _e63 {
+        let _e64 = (_e56 > _e60);
+        if _e64 {
         }
-        phi_200_ = _e63;
+        phi_201_ = _e64;
     }
-    let _e65 = phi_200_;
-    if _e65 {
-        phi_204_ = _e55;
+    let _e66 = phi_201_;
+    if _e66 {
+        phi_205_ = _e56;
     } else {
-        phi_204_ = _e59;
+        phi_205_ = _e60;
     }
-    let _e67 = phi_204_;
-    let _e68 = (_e52 - param_5.x);
-    if (_e68 <= 0f) {
-        let _e72 = ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u);
-        if _e72 {
+    let _e68 = phi_205_;
+    let _e69 = (_e53 - param_5.x);
+    if (_e69 <= 0f) {
+        let _e73 = ((bitcast<u32>(_e68) & 2147483647u) > 2139095040u);
+        if _e73 {
         }
-        phi_216_ = _e72;
+        phi_217_ = _e73;
     } else {
-        phi_216_ = true;
+        phi_217_ = true;
     }
-    let _e74 = phi_216_;
-    if _e74 {
-        phi_223_ = (_e67 / (_e67 + (_e68 * _e68)));
+    let _e75 = phi_217_;
+    if _e75 {
+        phi_224_ = (_e68 / (_e68 + (_e69 * _e69)));
     } else {
-        phi_223_ = 1f;
+        phi_224_ = 1f;
     }
-    let _e79 = phi_223_;
-    if ((bitcast<u32>(_e79) & 2147483647u) > 2139095040u) {
-        phi_240_ = _e79;
+    let _e80 = phi_224_;
+    if ((bitcast<u32>(_e80) & 2147483647u) > 2139095040u) {
+        phi_241_ = _e80;
     } else {
-        if (_e79 < 0f) {
-            phi_239_ = 0f;
+        if (_e80 < 0f) {
+            phi_240_ = 0f;
         } else {
-            if (_e79 > 1f) {
-                phi_238_ = 1f;
+            if (_e80 > 1f) {
+                phi_239_ = 1f;
             } else {
-                phi_238_ = _e79;
+                phi_239_ = _e80;
             }
-            let _e86 = phi_238_;
-            phi_239_ = _e86;
+            let _e87 = phi_239_;
+            phi_240_ = _e87;
         }
-        let _e88 = phi_239_;
-        phi_240_ = _e88;
+        let _e89 = phi_240_;
+        phi_241_ = _e89;
     }
-    let _e90 = phi_240_;
-    return _e90;
+    let _e91 = phi_241_;
+    return _e91;
 }
 
 fn function_() {
     var local: f32;
-    var phi_300_: bool;
     var phi_301_: bool;
     var phi_302_: bool;
     var phi_303_: bool;
-    var phi_307_: bool;
-    var phi_377_: bool;
+    var phi_304_: bool;
+    var phi_308_: bool;
     var phi_378_: bool;
-    var phi_389_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_390_: bool;
-    var phi_391_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_392_: bool;
-    var phi_399_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_403_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_423_: lt_math_LightPoint;
-    var phi_426_: u32;
-    var phi_428_: lt_math_LevelPoint;
-    var phi_514_: bool;
-    var phi_523_: bool;
-    var phi_532_: bool;
+    var phi_379_: bool;
+    var phi_390_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_391_: bool;
+    var phi_392_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_393_: bool;
+    var phi_400_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_404_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_424_: lt_math_LightPoint;
+    var phi_427_: u32;
+    var phi_429_: lt_math_LevelPoint;
+    var phi_515_: bool;
+    var phi_524_: bool;
     var phi_533_: bool;
     var phi_534_: bool;
     var phi_535_: bool;
     var phi_536_: bool;
     var phi_537_: bool;
     var phi_538_: bool;
-    var phi_542_: bool;
-    var phi_569_: bool;
+    var phi_539_: bool;
+    var phi_543_: bool;
     var phi_570_: bool;
     var phi_571_: bool;
     var phi_572_: bool;
@@ -253,622 +252,624 @@ fn function_() {
     var phi_574_: bool;
     var phi_575_: bool;
     var phi_576_: bool;
-    var phi_580_: bool;
-    var phi_589_: lt_math_LightPoint;
-    var phi_590_: u32;
-    var phi_591_: lt_math_LevelPoint;
-    var phi_592_: bool;
-    var phi_424_: lt_math_LightPoint;
-    var phi_427_: u32;
-    var phi_429_: lt_math_LevelPoint;
+    var phi_577_: bool;
+    var phi_581_: bool;
+    var phi_590_: lt_math_LightPoint;
+    var phi_591_: u32;
+    var phi_592_: lt_math_LevelPoint;
     var phi_593_: bool;
+    var phi_425_: lt_math_LightPoint;
+    var phi_428_: u32;
+    var phi_430_: lt_math_LevelPoint;
+    var phi_594_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_633_: bool;
     var phi_634_: bool;
     var phi_635_: bool;
     var phi_636_: bool;
-    var phi_640_: bool;
-    var phi_722_: f32;
-    var phi_838_: f32;
-    var phi_839_: f32;
+    var phi_637_: bool;
+    var phi_641_: bool;
+    var phi_723_: f32;
+    var phi_841_: f32;
     var phi_842_: f32;
-    var phi_871_: f32;
-    var phi_876_: f32;
-    var phi_877_: bool;
-    var phi_878_: f32;
-    var phi_879_: bool;
-    var phi_883_: f32;
-    var phi_903_: f32;
-    var phi_908_: f32;
-    var phi_909_: bool;
-    var phi_910_: f32;
-    var phi_911_: bool;
-    var phi_915_: f32;
+    var phi_845_: f32;
+    var phi_874_: f32;
+    var phi_879_: f32;
+    var phi_880_: bool;
+    var phi_881_: f32;
+    var phi_882_: bool;
+    var phi_886_: f32;
+    var phi_906_: f32;
+    var phi_911_: f32;
+    var phi_912_: bool;
+    var phi_913_: f32;
+    var phi_914_: bool;
+    var phi_918_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_964_: i32;
-    var phi_969_: i32;
-    var phi_974_: i32;
-    var phi_979_: i32;
-    var phi_988_: i32;
-    var phi_993_: i32;
-    var phi_998_: i32;
-    var phi_1003_: i32;
-    var phi_1098_: bool;
-    var phi_1106_: bool;
-    var phi_1118_: bool;
-    var phi_1119_: bool;
-    var phi_1123_: f32;
-    var phi_1129_: f32;
-    var phi_1131_: evaluate_Verdict;
-    var phi_1136_: evaluate_Verdict;
-    var phi_1137_: evaluate_Verdict;
+    var phi_967_: i32;
+    var phi_972_: i32;
+    var phi_977_: i32;
+    var phi_982_: i32;
+    var phi_991_: i32;
+    var phi_996_: i32;
+    var phi_1001_: i32;
+    var phi_1006_: i32;
+    var phi_1101_: bool;
+    var phi_1109_: bool;
+    var phi_1121_: bool;
+    var phi_1122_: bool;
+    var phi_1126_: f32;
+    var phi_1132_: f32;
+    var phi_1134_: evaluate_Verdict;
+    var phi_1139_: evaluate_Verdict;
+    var phi_1140_: evaluate_Verdict;
 
-    let _e40 = id_1;
-    let _e47 = arrayLength((&map.member));
-    let _e53 = arrayLength((&levels.member));
-    let _e56 = p.member.size[0u];
-    let _e58 = p.member.size[1u];
-    let _e59 = lt_shaders_entry_pixel_index(_e40, _e56, _e58);
-    if (bitcast<i32>(_e59.root) != 0i) {
-        let _e65 = p.member.level_count;
-        if (_e59.first_primitive < arrayLength((&samples.member))) {
+    let _e41 = id_1;
+    let _e48 = arrayLength((&map.member));
+    let _e54 = arrayLength((&levels.member));
+    let _e57 = p.member.size[0u];
+    let _e59 = p.member.size[1u];
+    let _e60 = lt_shaders_entry_pixel_index(_e41, _e57, _e59);
+    if (bitcast<i32>(_e60.root) != 0i) {
+        let _e66 = p.member.level_count;
+        if (_e60.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e72 = samples.member[(0u + _e59.first_primitive)].normal[0u];
-        let _e74 = global[0u];
-        if (_e72 == _e74) {
-            let _e77 = samples.member[(0u + _e59.first_primitive)].normal[1u];
-            let _e79 = global[1u];
-            if (_e77 == _e79) {
-                let _e82 = samples.member[(0u + _e59.first_primitive)].normal[2u];
-                let _e84 = global[2u];
-                phi_300_ = (_e82 == _e84);
-                phi_301_ = false;
+        let _e73 = samples.member[(0u + _e60.first_primitive)].normal[0u];
+        let _e75 = global[0u];
+        if (_e73 == _e75) {
+            let _e78 = samples.member[(0u + _e60.first_primitive)].normal[1u];
+            let _e80 = global[1u];
+            if (_e78 == _e80) {
+                let _e83 = samples.member[(0u + _e60.first_primitive)].normal[2u];
+                let _e85 = global[2u];
+                phi_301_ = (_e83 == _e85);
+                phi_302_ = false;
             } else {
-                phi_300_ = bool();
-                phi_301_ = true;
+                phi_301_ = bool();
+                phi_302_ = true;
             }
-            let _e87 = phi_300_;
-            let _e89 = phi_301_;
-            phi_302_ = _e87;
-            phi_303_ = _e89;
+            let _e88 = phi_301_;
+            let _e90 = phi_302_;
+            phi_303_ = _e88;
+            phi_304_ = _e90;
         } else {
-            phi_302_ = bool();
-            phi_303_ = true;
+            phi_303_ = bool();
+            phi_304_ = true;
         }
-        let _e91 = phi_302_;
-        let _e93 = phi_303_;
-        if _e93 {
-            phi_307_ = false;
+        let _e92 = phi_303_;
+        let _e94 = phi_304_;
+        if _e94 {
+            phi_308_ = false;
         } else {
-            phi_307_ = _e91;
+            phi_308_ = _e92;
         }
-        let _e95 = phi_307_;
-        if !(_e95) {
-            let _e98 = samples.member[(0u + _e59.first_primitive)].position;
-            let _e100 = p.member.light.place;
-            let _e106 = p.member.light.place[3u];
-            let _e113 = (_e100.x - (_e98.x * _e106));
-            let _e114 = (_e100.y - (_e98.y * _e106));
-            let _e115 = (_e100.z - (_e98.z * _e106));
-            let _e117 = samples.member[(0u + _e59.first_primitive)].normal;
-            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
-                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
-                let _e133 = p.member.light.axis;
-                let _e145 = p.member.light.place[3u];
-                if (_e145 == 0f) {
-                    phi_378_ = true;
+        let _e96 = phi_308_;
+        if !(_e96) {
+            let _e99 = samples.member[(0u + _e60.first_primitive)].position;
+            let _e101 = p.member.light.place;
+            let _e107 = p.member.light.place[3u];
+            let _e114 = (_e101.x - (_e99.x * _e107));
+            let _e115 = (_e101.y - (_e99.y * _e107));
+            let _e116 = (_e101.z - (_e99.z * _e107));
+            let _e118 = samples.member[(0u + _e60.first_primitive)].normal;
+            if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
+                let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
+                let _e134 = p.member.light.axis;
+                let _e146 = p.member.light.place[3u];
+                if (_e146 == 0f) {
+                    phi_379_ = true;
                 } else {
-                    let _e148 = p.member.light.range_squared;
-                    if (_e131 <= _e148) {
-                        let _e151 = p.member.light.cos_outer;
-                        phi_377_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
+                    let _e149 = p.member.light.range_squared;
+                    if (_e132 <= _e149) {
+                        let _e152 = p.member.light.cos_outer;
+                        phi_378_ = (-((((_e114 * _e134.x) + (_e115 * _e134.y)) + (_e116 * _e134.z))) >= (_e152 * sqrt(_e132)));
                     } else {
-                        phi_377_ = false;
+                        phi_378_ = false;
                     }
-                    let _e156 = phi_377_;
-                    phi_378_ = _e156;
+                    let _e157 = phi_378_;
+                    phi_379_ = _e157;
                 }
-                let _e158 = phi_378_;
-                if _e158 {
-                    let _e160 = samples.member[(0u + _e59.first_primitive)].flags;
-                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-                    phi_389_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
-                    phi_390_ = false;
+                let _e159 = phi_379_;
+                if _e159 {
+                    let _e161 = samples.member[(0u + _e60.first_primitive)].flags;
+                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
+                    phi_390_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
+                    phi_391_ = false;
                 } else {
-                    phi_389_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_390_ = true;
+                    phi_390_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_391_ = true;
                 }
-                let _e179 = phi_389_;
-                let _e181 = phi_390_;
-                phi_391_ = _e179;
-                phi_392_ = _e181;
+                let _e180 = phi_390_;
+                let _e182 = phi_391_;
+                phi_392_ = _e180;
+                phi_393_ = _e182;
             } else {
-                phi_391_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_392_ = true;
+                phi_392_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_393_ = true;
             }
-            let _e183 = phi_391_;
-            let _e185 = phi_392_;
-            if _e185 {
-                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
-                phi_399_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
+            let _e184 = phi_392_;
+            let _e186 = phi_393_;
+            if _e186 {
+                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
+                phi_400_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
             } else {
-                phi_399_ = _e183;
+                phi_400_ = _e184;
             }
-            let _e202 = phi_399_;
-            phi_403_ = _e202;
+            let _e203 = phi_400_;
+            phi_404_ = _e203;
         } else {
-            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
-            phi_403_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
+            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
+            phi_404_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
         }
-        let _e219 = phi_403_;
-        if _e219.unnamed_1 {
-            phi_1137_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
+        let _e220 = phi_404_;
+        if _e220.unnamed_1 {
+            phi_1140_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
         } else {
-            let _e227 = samples.member[(0u + _e59.first_primitive)].position;
-            let _e229 = p.member.map_size;
-            let _e231 = (0.5f / f32(_e229));
-            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
-            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
-            phi_423_ = lt_math_LightPoint();
-            phi_426_ = 0u;
-            phi_428_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
+            let _e228 = samples.member[(0u + _e60.first_primitive)].position;
+            let _e230 = p.member.map_size;
+            let _e232 = (0.5f / f32(_e230));
+            let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e246 = lt_math_LightPoint(vec2<f32>(_e239.uv.x, 0f), _e239.depth, _e239.is_inside);
+            let _e250 = lt_math_LightPoint(_e246.uv, 0f, _e246.is_inside);
+            phi_424_ = lt_math_LightPoint();
+            phi_427_ = 0u;
+            phi_429_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e250.uv, _e250.depth, false));
             loop {
-                let _e256 = phi_423_;
-                let _e258 = phi_426_;
-                let _e260 = phi_428_;
-                local_1 = _e260;
-                local_2 = _e260;
-                local_3 = _e260;
-                if (_e258 < _e65) {
-                    if _e260.point.is_inside {
-                        phi_589_ = lt_math_LightPoint();
-                        phi_590_ = u32();
-                        phi_591_ = lt_math_LevelPoint();
-                        phi_592_ = false;
+                let _e257 = phi_424_;
+                let _e259 = phi_427_;
+                let _e261 = phi_429_;
+                local_1 = _e261;
+                local_2 = _e261;
+                local_3 = _e261;
+                if (_e259 < _e66) {
+                    if _e261.point.is_inside {
+                        phi_590_ = lt_math_LightPoint();
+                        phi_591_ = u32();
+                        phi_592_ = lt_math_LevelPoint();
+                        phi_593_ = false;
                     } else {
-                        if (_e258 < _e53) {
+                        if (_e259 < _e54) {
                         } else {
                             return;
                         }
-                        let _e271 = levels.member[(0u + _e258)].row_w;
-                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
-                        let _e284 = levels.member[(0u + _e258)].row_x;
-                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
-                        let _e298 = levels.member[(0u + _e258)].row_y;
-                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
-                        let _e312 = levels.member[(0u + _e258)].row_z;
-                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
-                        if (_e282 > 0f) {
-                            if (_e296 >= 0f) {
-                                phi_514_ = (_e296 <= 1f);
+                        let _e272 = levels.member[(0u + _e259)].row_w;
+                        let _e283 = ((((_e272.x * _e228.x) + (_e272.y * _e228.y)) + (_e272.z * _e228.z)) + (_e272.w * 1f));
+                        let _e285 = levels.member[(0u + _e259)].row_x;
+                        let _e297 = (((((_e285.x * _e228.x) + (_e285.y * _e228.y)) + (_e285.z * _e228.z)) + (_e285.w * 1f)) / _e283);
+                        let _e299 = levels.member[(0u + _e259)].row_y;
+                        let _e311 = (((((_e299.x * _e228.x) + (_e299.y * _e228.y)) + (_e299.z * _e228.z)) + (_e299.w * 1f)) / _e283);
+                        let _e313 = levels.member[(0u + _e259)].row_z;
+                        let _e324 = ((((_e313.x * _e228.x) + (_e313.y * _e228.y)) + (_e313.z * _e228.z)) + (_e313.w * 1f));
+                        if (_e283 > 0f) {
+                            if (_e297 >= 0f) {
+                                phi_515_ = (_e297 <= 1f);
                             } else {
-                                phi_514_ = false;
+                                phi_515_ = false;
                             }
-                            let _e328 = phi_514_;
-                            if _e328 {
-                                if (_e310 >= 0f) {
-                                    phi_523_ = (_e310 <= 1f);
+                            let _e329 = phi_515_;
+                            if _e329 {
+                                if (_e311 >= 0f) {
+                                    phi_524_ = (_e311 <= 1f);
                                 } else {
-                                    phi_523_ = false;
+                                    phi_524_ = false;
                                 }
-                                let _e332 = phi_523_;
-                                if _e332 {
-                                    if (_e323 >= 0f) {
-                                        phi_532_ = (_e323 <= 1f);
+                                let _e333 = phi_524_;
+                                if _e333 {
+                                    if (_e324 >= 0f) {
+                                        phi_533_ = (_e324 <= 1f);
                                     } else {
-                                        phi_532_ = false;
+                                        phi_533_ = false;
                                     }
-                                    let _e336 = phi_532_;
-                                    phi_533_ = _e336;
-                                    phi_534_ = false;
+                                    let _e337 = phi_533_;
+                                    phi_534_ = _e337;
+                                    phi_535_ = false;
                                 } else {
-                                    phi_533_ = bool();
-                                    phi_534_ = true;
+                                    phi_534_ = bool();
+                                    phi_535_ = true;
                                 }
-                                let _e338 = phi_533_;
-                                let _e340 = phi_534_;
-                                phi_535_ = _e338;
-                                phi_536_ = _e340;
+                                let _e339 = phi_534_;
+                                let _e341 = phi_535_;
+                                phi_536_ = _e339;
+                                phi_537_ = _e341;
                             } else {
-                                phi_535_ = bool();
-                                phi_536_ = true;
+                                phi_536_ = bool();
+                                phi_537_ = true;
                             }
-                            let _e342 = phi_535_;
-                            let _e344 = phi_536_;
-                            phi_537_ = _e342;
-                            phi_538_ = _e344;
+                            let _e343 = phi_536_;
+                            let _e345 = phi_537_;
+                            phi_538_ = _e343;
+                            phi_539_ = _e345;
                         } else {
-                            phi_537_ = bool();
-                            phi_538_ = true;
+                            phi_538_ = bool();
+                            phi_539_ = true;
                         }
-                        let _e346 = phi_537_;
-                        let _e348 = phi_538_;
-                        if _e348 {
-                            phi_542_ = false;
+                        let _e347 = phi_538_;
+                        let _e349 = phi_539_;
+                        if _e349 {
+                            phi_543_ = false;
                         } else {
-                            phi_542_ = _e346;
+                            phi_543_ = _e347;
                         }
-                        let _e350 = phi_542_;
-                        if _e350 {
-                            if (_e296 >= _e231) {
-                                if (_e296 <= (1f - _e231)) {
-                                    if (_e310 >= _e231) {
-                                        phi_569_ = (_e310 <= (1f - _e231));
-                                        phi_570_ = false;
+                        let _e351 = phi_543_;
+                        if _e351 {
+                            if (_e297 >= _e232) {
+                                if (_e297 <= (1f - _e232)) {
+                                    if (_e311 >= _e232) {
+                                        phi_570_ = (_e311 <= (1f - _e232));
+                                        phi_571_ = false;
                                     } else {
-                                        phi_569_ = bool();
-                                        phi_570_ = true;
+                                        phi_570_ = bool();
+                                        phi_571_ = true;
                                     }
-                                    let _e358 = phi_569_;
-                                    let _e360 = phi_570_;
-                                    phi_571_ = _e358;
-                                    phi_572_ = _e360;
+                                    let _e359 = phi_570_;
+                                    let _e361 = phi_571_;
+                                    phi_572_ = _e359;
+                                    phi_573_ = _e361;
                                 } else {
-                                    phi_571_ = bool();
-                                    phi_572_ = true;
+                                    phi_572_ = bool();
+                                    phi_573_ = true;
                                 }
-                                let _e362 = phi_571_;
-                                let _e364 = phi_572_;
-                                phi_573_ = _e362;
-                                phi_574_ = _e364;
+                                let _e363 = phi_572_;
+                                let _e365 = phi_573_;
+                                phi_574_ = _e363;
+                                phi_575_ = _e365;
                             } else {
-                                phi_573_ = bool();
-                                phi_574_ = true;
+                                phi_574_ = bool();
+                                phi_575_ = true;
                             }
-                            let _e366 = phi_573_;
-                            let _e368 = phi_574_;
-                            phi_575_ = _e366;
-                            phi_576_ = _e368;
+                            let _e367 = phi_574_;
+                            let _e369 = phi_575_;
+                            phi_576_ = _e367;
+                            phi_577_ = _e369;
                         } else {
-                            phi_575_ = bool();
-                            phi_576_ = true;
+                            phi_576_ = bool();
+                            phi_577_ = true;
                         }
-                        let _e370 = phi_575_;
-                        let _e372 = phi_576_;
-                        if _e372 {
-                            phi_580_ = false;
+                        let _e371 = phi_576_;
+                        let _e373 = phi_577_;
+                        if _e373 {
+                            phi_581_ = false;
                         } else {
-                            phi_580_ = _e370;
+                            phi_581_ = _e371;
                         }
-                        let _e374 = phi_580_;
-                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
-                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
-                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
-                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
-                        phi_589_ = _e396;
-                        phi_590_ = (_e258 + 1u);
-                        phi_591_ = lt_math_LevelPoint(_e258, _e396);
-                        phi_592_ = true;
+                        let _e375 = phi_581_;
+                        let _e382 = lt_math_LightPoint(vec2<f32>(_e297, _e257.uv.y), _e257.depth, _e257.is_inside);
+                        let _e389 = lt_math_LightPoint(vec2<f32>(_e382.uv.x, _e311), _e382.depth, _e382.is_inside);
+                        let _e393 = lt_math_LightPoint(_e389.uv, _e324, _e389.is_inside);
+                        let _e397 = lt_math_LightPoint(_e393.uv, _e393.depth, _e375);
+                        phi_590_ = _e397;
+                        phi_591_ = (_e259 + 1u);
+                        phi_592_ = lt_math_LevelPoint(_e259, _e397);
+                        phi_593_ = true;
                     }
-                    let _e400 = phi_589_;
-                    let _e402 = phi_590_;
-                    let _e404 = phi_591_;
-                    let _e406 = phi_592_;
-                    phi_424_ = _e400;
-                    phi_427_ = _e402;
-                    phi_429_ = _e404;
-                    phi_593_ = _e406;
+                    let _e401 = phi_590_;
+                    let _e403 = phi_591_;
+                    let _e405 = phi_592_;
+                    let _e407 = phi_593_;
+                    phi_425_ = _e401;
+                    phi_428_ = _e403;
+                    phi_430_ = _e405;
+                    phi_594_ = _e407;
                 } else {
-                    phi_424_ = lt_math_LightPoint();
-                    phi_427_ = u32();
-                    phi_429_ = lt_math_LevelPoint();
-                    phi_593_ = false;
+                    phi_425_ = lt_math_LightPoint();
+                    phi_428_ = u32();
+                    phi_430_ = lt_math_LevelPoint();
+                    phi_594_ = false;
                 }
-                let _e408 = phi_424_;
-                let _e410 = phi_427_;
-                let _e412 = phi_429_;
-                let _e414 = phi_593_;
+                let _e409 = phi_425_;
+                let _e411 = phi_428_;
+                let _e413 = phi_430_;
+                let _e415 = phi_594_;
                 continue;
                 continuing {
-                    phi_423_ = _e408;
-                    phi_426_ = _e410;
-                    phi_428_ = _e412;
-                    break if !(_e414);
+                    phi_424_ = _e409;
+                    phi_427_ = _e411;
+                    phi_429_ = _e413;
+                    break if !(_e415);
                 }
             }
-            let _e417 = local_1;
-            if _e417.point.is_inside {
+            let _e418 = local_1;
+            if _e418.point.is_inside {
                 if (0f > 0f) {
-                    let _e423 = local_2;
-                    if (_e423.level < _e53) {
+                    let _e424 = local_2;
+                    if (_e424.level < _e54) {
                     } else {
                         return;
                     }
-                    let _e428 = levels.member[(0u + _e423.level)];
-                    let _e434 = global[0u];
-                    if (_e428.row_w.x == _e434) {
-                        let _e437 = global[1u];
-                        if (_e428.row_w.y == _e437) {
-                            let _e440 = global[2u];
-                            phi_633_ = (_e428.row_w.z == _e440);
-                            phi_634_ = false;
+                    let _e429 = levels.member[(0u + _e424.level)];
+                    let _e435 = global[0u];
+                    if (_e429.row_w.x == _e435) {
+                        let _e438 = global[1u];
+                        if (_e429.row_w.y == _e438) {
+                            let _e441 = global[2u];
+                            phi_634_ = (_e429.row_w.z == _e441);
+                            phi_635_ = false;
                         } else {
-                            phi_633_ = bool();
-                            phi_634_ = true;
+                            phi_634_ = bool();
+                            phi_635_ = true;
                         }
-                        let _e443 = phi_633_;
-                        let _e445 = phi_634_;
-                        phi_635_ = _e443;
-                        phi_636_ = _e445;
+                        let _e444 = phi_634_;
+                        let _e446 = phi_635_;
+                        phi_636_ = _e444;
+                        phi_637_ = _e446;
                     } else {
-                        phi_635_ = bool();
-                        phi_636_ = true;
+                        phi_636_ = bool();
+                        phi_637_ = true;
                     }
-                    let _e447 = phi_635_;
-                    let _e449 = phi_636_;
-                    if _e449 {
-                        phi_640_ = false;
+                    let _e448 = phi_636_;
+                    let _e450 = phi_637_;
+                    if _e450 {
+                        phi_641_ = false;
                     } else {
-                        phi_640_ = _e447;
+                        phi_641_ = _e448;
                     }
-                    let _e451 = phi_640_;
-                    if _e451 {
-                        let _e453 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e455 = p.member.map_size;
-                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
-                        if (_e525 < 0.002f) {
-                            phi_722_ = _e525;
+                    let _e452 = phi_641_;
+                    if _e452 {
+                        let _e454 = samples.member[(0u + _e60.first_primitive)].normal;
+                        let _e456 = p.member.map_size;
+                        let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
+                        if (_e526 < 0.002f) {
+                            phi_723_ = _e526;
                         } else {
-                            phi_722_ = 0.002f;
+                            phi_723_ = 0.002f;
                         }
-                        let _e528 = phi_722_;
-                        phi_839_ = _e528;
+                        let _e529 = phi_723_;
+                        phi_842_ = _e529;
                     } else {
-                        let _e530 = p.member.map_size;
-                        let _e536 = samples.member[(0u + _e59.first_primitive)].position;
-                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
-                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
-                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
-                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
-                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
-                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
-                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
-                        let _e583 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
-                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
-                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
-                        let _e600 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
-                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
-                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
-                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
-                        if (_e642 < 0.002f) {
-                            phi_838_ = _e642;
+                        let _e531 = p.member.map_size;
+                        let _e537 = samples.member[(0u + _e60.first_primitive)].position;
+                        let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
+                        let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
+                        let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
+                        let _e563 = ((_e429.row_x.z - (_e429.row_w.z * _e418.point.uv.x)) / _e548);
+                        let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
+                        let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
+                        let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
+                        let _e584 = samples.member[(0u + _e60.first_primitive)].normal;
+                        let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
+                        let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
+                        let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
+                        let _e601 = samples.member[(0u + _e60.first_primitive)].normal;
+                        let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
+                        let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
+                        let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
+                        let _e643 = ((abs(((((_e429.row_z.x * _e589) + (_e429.row_z.y * _e594)) + (_e429.row_z.z * _e599)) / (((_e561 * _e589) + (_e562 * _e594)) + (_e563 * _e599)))) + abs(((((_e429.row_z.x * _e606) + (_e429.row_z.y * _e611)) + (_e429.row_z.z * _e616)) / (((_e576 * _e606) + (_e577 * _e611)) + (_e578 * _e616))))) / f32(_e531));
+                        let _e645 = (16f / f32(_e531));
+                        if (_e643 < _e645) {
+                            phi_841_ = _e643;
                         } else {
-                            phi_838_ = 0.002f;
+                            phi_841_ = _e645;
                         }
-                        let _e645 = phi_838_;
-                        phi_839_ = _e645;
+                        let _e648 = phi_841_;
+                        phi_842_ = _e648;
                     }
-                    let _e647 = phi_839_;
-                    phi_842_ = (_e417.point.depth - (0f * _e647));
+                    let _e650 = phi_842_;
+                    phi_845_ = (_e418.point.depth - (0f * _e650));
                 } else {
-                    phi_842_ = _e417.point.depth;
+                    phi_845_ = _e418.point.depth;
                 }
-                let _e651 = phi_842_;
-                let _e657 = p.member.map_size;
-                let _e658 = f32(_e657);
-                let _e661 = ((_e417.point.uv.x * _e658) - 0.5f);
-                let _e662 = ((_e417.point.uv.y * _e658) - 0.5f);
-                if (_e661 > -8388608f) {
-                    let _e674 = f32(select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < bitcast<f32>(3472883712u))), 2147483647i, (_e661 > bitcast<f32>(1325400063u))), (_e661 == _e661)));
-                    if (_e674 > _e661) {
-                        phi_871_ = 1f;
+                let _e654 = phi_845_;
+                let _e660 = p.member.map_size;
+                let _e661 = f32(_e660);
+                let _e664 = ((_e418.point.uv.x * _e661) - 0.5f);
+                let _e665 = ((_e418.point.uv.y * _e661) - 0.5f);
+                if (_e664 > -8388608f) {
+                    let _e677 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e677 > _e664) {
+                        phi_874_ = 1f;
                     } else {
-                        phi_871_ = 0f;
+                        phi_874_ = 0f;
                     }
-                    let _e677 = phi_871_;
-                    if (_e661 < 8388608f) {
-                        phi_876_ = (_e674 - _e677);
-                        phi_877_ = false;
+                    let _e680 = phi_874_;
+                    if (_e664 < 8388608f) {
+                        phi_879_ = (_e677 - _e680);
+                        phi_880_ = false;
                     } else {
-                        phi_876_ = f32();
-                        phi_877_ = true;
+                        phi_879_ = f32();
+                        phi_880_ = true;
                     }
-                    let _e680 = phi_876_;
-                    let _e682 = phi_877_;
-                    phi_878_ = _e680;
-                    phi_879_ = _e682;
+                    let _e683 = phi_879_;
+                    let _e685 = phi_880_;
+                    phi_881_ = _e683;
+                    phi_882_ = _e685;
                 } else {
-                    phi_878_ = f32();
-                    phi_879_ = true;
+                    phi_881_ = f32();
+                    phi_882_ = true;
                 }
-                let _e684 = phi_878_;
-                let _e686 = phi_879_;
-                if _e686 {
-                    phi_883_ = _e661;
+                let _e687 = phi_881_;
+                let _e689 = phi_882_;
+                if _e689 {
+                    phi_886_ = _e664;
                 } else {
-                    phi_883_ = _e684;
+                    phi_886_ = _e687;
                 }
-                let _e688 = phi_883_;
-                if (_e662 > -8388608f) {
-                    let _e700 = f32(select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < bitcast<f32>(3472883712u))), 2147483647i, (_e662 > bitcast<f32>(1325400063u))), (_e662 == _e662)));
-                    if (_e700 > _e662) {
-                        phi_903_ = 1f;
+                let _e691 = phi_886_;
+                if (_e665 > -8388608f) {
+                    let _e703 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
+                    if (_e703 > _e665) {
+                        phi_906_ = 1f;
                     } else {
-                        phi_903_ = 0f;
+                        phi_906_ = 0f;
                     }
-                    let _e703 = phi_903_;
-                    if (_e662 < 8388608f) {
-                        phi_908_ = (_e700 - _e703);
-                        phi_909_ = false;
+                    let _e706 = phi_906_;
+                    if (_e665 < 8388608f) {
+                        phi_911_ = (_e703 - _e706);
+                        phi_912_ = false;
                     } else {
-                        phi_908_ = f32();
-                        phi_909_ = true;
+                        phi_911_ = f32();
+                        phi_912_ = true;
                     }
-                    let _e706 = phi_908_;
-                    let _e708 = phi_909_;
-                    phi_910_ = _e706;
-                    phi_911_ = _e708;
+                    let _e709 = phi_911_;
+                    let _e711 = phi_912_;
+                    phi_913_ = _e709;
+                    phi_914_ = _e711;
                 } else {
-                    phi_910_ = f32();
-                    phi_911_ = true;
+                    phi_913_ = f32();
+                    phi_914_ = true;
                 }
-                let _e710 = phi_910_;
-                let _e712 = phi_911_;
-                if _e712 {
-                    phi_915_ = _e662;
+                let _e713 = phi_913_;
+                let _e715 = phi_914_;
+                if _e715 {
+                    phi_918_ = _e665;
                 } else {
-                    phi_915_ = _e710;
+                    phi_918_ = _e713;
                 }
-                let _e714 = phi_915_;
-                let _e715 = (_e661 - _e688);
-                let _e716 = (_e662 - _e714);
-                let _e725 = select(0i, select(select(i32(_e688), i32(-2147483648), (_e688 < bitcast<f32>(3472883712u))), 2147483647i, (_e688 > bitcast<f32>(1325400063u))), (_e688 == _e688));
-                let _e734 = select(0i, select(select(i32(_e714), i32(-2147483648), (_e714 < bitcast<f32>(3472883712u))), 2147483647i, (_e714 > bitcast<f32>(1325400063u))), (_e714 == _e714));
-                let _e737 = ((1f - _e715) * (1f - _e716));
-                let _e739 = (_e715 * (1f - _e716));
-                let _e741 = ((1f - _e715) * _e716);
-                let _e742 = (_e715 * _e716);
-                let _e744 = p.member.test;
-                let _e745 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e744);
-                let _e747 = p.member.map_size;
-                let _e749 = local_3;
-                local = _e745;
-                let _e752 = ((_e749.level * _e747) * _e747);
-                let _e754 = (bitcast<i32>(_e747) - 1i);
-                if (_e725 > 0i) {
-                    phi_964_ = _e725;
+                let _e717 = phi_918_;
+                let _e718 = (_e664 - _e691);
+                let _e719 = (_e665 - _e717);
+                let _e728 = select(0i, select(select(i32(_e691), i32(-2147483648), (_e691 < bitcast<f32>(3472883712u))), 2147483647i, (_e691 > bitcast<f32>(1325400063u))), (_e691 == _e691));
+                let _e737 = select(0i, select(select(i32(_e717), i32(-2147483648), (_e717 < bitcast<f32>(3472883712u))), 2147483647i, (_e717 > bitcast<f32>(1325400063u))), (_e717 == _e717));
+                let _e740 = ((1f - _e718) * (1f - _e719));
+                let _e742 = (_e718 * (1f - _e719));
+                let _e744 = ((1f - _e718) * _e719);
+                let _e745 = (_e718 * _e719);
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_3;
+                local = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
+                if (_e728 > 0i) {
+                    phi_967_ = _e728;
                 } else {
-                    phi_964_ = 0i;
+                    phi_967_ = 0i;
                 }
-                let _e757 = phi_964_;
-                if (_e734 > 0i) {
-                    phi_969_ = _e734;
+                let _e760 = phi_967_;
+                if (_e737 > 0i) {
+                    phi_972_ = _e737;
                 } else {
-                    phi_969_ = 0i;
+                    phi_972_ = 0i;
                 }
-                let _e760 = phi_969_;
-                if (_e757 < _e754) {
-                    phi_974_ = _e757;
+                let _e763 = phi_972_;
+                if (_e760 < _e757) {
+                    phi_977_ = _e760;
                 } else {
-                    phi_974_ = _e754;
+                    phi_977_ = _e757;
                 }
-                let _e763 = phi_974_;
-                if (_e760 < _e754) {
-                    phi_979_ = _e760;
+                let _e766 = phi_977_;
+                if (_e763 < _e757) {
+                    phi_982_ = _e763;
                 } else {
-                    phi_979_ = _e754;
+                    phi_982_ = _e757;
                 }
-                let _e766 = phi_979_;
-                let _e767 = bitcast<u32>(_e763);
-                let _e769 = (_e725 + 1i);
-                let _e770 = (_e734 + 1i);
-                if (_e769 > 0i) {
-                    phi_988_ = _e769;
+                let _e769 = phi_982_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e728 + 1i);
+                let _e773 = (_e737 + 1i);
+                if (_e772 > 0i) {
+                    phi_991_ = _e772;
                 } else {
-                    phi_988_ = 0i;
+                    phi_991_ = 0i;
                 }
-                let _e773 = phi_988_;
-                if (_e770 > 0i) {
-                    phi_993_ = _e770;
+                let _e776 = phi_991_;
+                if (_e773 > 0i) {
+                    phi_996_ = _e773;
                 } else {
-                    phi_993_ = 0i;
+                    phi_996_ = 0i;
                 }
-                let _e776 = phi_993_;
-                if (_e773 < _e754) {
-                    phi_998_ = _e773;
+                let _e779 = phi_996_;
+                if (_e776 < _e757) {
+                    phi_1001_ = _e776;
                 } else {
-                    phi_998_ = _e754;
+                    phi_1001_ = _e757;
                 }
-                let _e779 = phi_998_;
-                if (_e776 < _e754) {
-                    phi_1003_ = _e776;
+                let _e782 = phi_1001_;
+                if (_e779 < _e757) {
+                    phi_1006_ = _e779;
                 } else {
-                    phi_1003_ = _e754;
+                    phi_1006_ = _e757;
                 }
-                let _e782 = phi_1003_;
-                let _e783 = bitcast<u32>(_e779);
-                let _e785 = (bitcast<u32>(_e766) * _e747);
-                let _e786 = (bitcast<u32>(_e782) * _e747);
-                let _e791 = ((_e785 + _e767) + _e752);
-                let _e792 = ((_e785 + _e783) + _e752);
-                let _e793 = ((_e786 + _e767) + _e752);
-                let _e794 = ((_e786 + _e783) + _e752);
-                if (_e791 < _e47) {
+                let _e785 = phi_1006_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e48) {
                 } else {
                     return;
                 }
-                let _e798 = map.member[(0u + _e791)];
-                if (_e792 < _e47) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e48) {
                 } else {
                     return;
                 }
-                let _e810 = map.member[(0u + _e792)];
-                if (_e793 < _e47) {
+                let _e813 = map.member[(0u + _e795)];
+                if (_e796 < _e48) {
                 } else {
                     return;
                 }
-                let _e826 = map.member[(0u + _e793)];
-                if (_e794 < _e47) {
+                let _e829 = map.member[(0u + _e796)];
+                if (_e797 < _e48) {
                 } else {
                     return;
                 }
-                let _e842 = map.member[(0u + _e794)];
-                let _e856 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e798.x * _e737) + (_e810.x * _e739)) + (_e826.x * _e741)) + (_e842.x * _e742)), ((((_e798.y * _e737) + (_e810.y * _e739)) + (_e826.y * _e741)) + (_e842.y * _e742)), ((((_e798.z * _e737) + (_e810.z * _e739)) + (_e826.z * _e741)) + (_e842.z * _e742)), ((((_e798.w * _e737) + (_e810.w * _e739)) + (_e826.w * _e741)) + (_e842.w * _e742))), _e651);
-                let _e858 = p.member.epsilon;
-                if (_e856 <= _e858) {
-                    phi_1098_ = true;
+                let _e845 = map.member[(0u + _e797)];
+                let _e859 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e801.x * _e740) + (_e813.x * _e742)) + (_e829.x * _e744)) + (_e845.x * _e745)), ((((_e801.y * _e740) + (_e813.y * _e742)) + (_e829.y * _e744)) + (_e845.y * _e745)), ((((_e801.z * _e740) + (_e813.z * _e742)) + (_e829.z * _e744)) + (_e845.z * _e745)), ((((_e801.w * _e740) + (_e813.w * _e742)) + (_e829.w * _e744)) + (_e845.w * _e745))), _e654);
+                let _e861 = p.member.epsilon;
+                if (_e859 <= _e861) {
+                    phi_1101_ = true;
                 } else {
-                    phi_1098_ = (_e856 >= (1f - _e858));
+                    phi_1101_ = (_e859 >= (1f - _e861));
                 }
-                let _e863 = phi_1098_;
-                if ((bitcast<u32>(_e856) & 2147483647u) > 2139095040u) {
-                    phi_1106_ = true;
+                let _e866 = phi_1101_;
+                if ((bitcast<u32>(_e859) & 2147483647u) > 2139095040u) {
+                    phi_1109_ = true;
                 } else {
-                    phi_1106_ = !(_e863);
+                    phi_1109_ = !(_e866);
                 }
-                let _e869 = phi_1106_;
-                if _e869 {
-                    if (_e856 > 0f) {
-                        if (_e856 < 1f) {
-                            phi_1118_ = false;
+                let _e872 = phi_1109_;
+                if _e872 {
+                    if (_e859 > 0f) {
+                        if (_e859 < 1f) {
+                            phi_1121_ = false;
                         } else {
-                            phi_1118_ = true;
+                            phi_1121_ = true;
                         }
-                        let _e873 = phi_1118_;
-                        phi_1119_ = _e873;
+                        let _e876 = phi_1121_;
+                        phi_1122_ = _e876;
                     } else {
-                        phi_1119_ = true;
+                        phi_1122_ = true;
                     }
-                    let _e875 = phi_1119_;
-                    if _e875 {
-                        phi_1123_ = 0.5f;
+                    let _e878 = phi_1122_;
+                    if _e878 {
+                        phi_1126_ = 0.5f;
                     } else {
-                        phi_1123_ = _e856;
+                        phi_1126_ = _e859;
                     }
-                    let _e877 = phi_1123_;
-                    phi_1131_ = evaluate_Verdict(_e877, true);
+                    let _e880 = phi_1126_;
+                    phi_1134_ = evaluate_Verdict(_e880, true);
                 } else {
-                    if (_e856 > 0.5f) {
-                        phi_1129_ = 1f;
+                    if (_e859 > 0.5f) {
+                        phi_1132_ = 1f;
                     } else {
-                        phi_1129_ = 0f;
+                        phi_1132_ = 0f;
                     }
-                    let _e881 = phi_1129_;
-                    phi_1131_ = evaluate_Verdict(_e881, false);
+                    let _e884 = phi_1132_;
+                    phi_1134_ = evaluate_Verdict(_e884, false);
                 }
-                let _e884 = phi_1131_;
-                phi_1136_ = evaluate_Verdict(_e884.visibility, _e884.is_doubted);
+                let _e887 = phi_1134_;
+                phi_1139_ = evaluate_Verdict(_e887.visibility, _e887.is_doubted);
             } else {
-                phi_1136_ = evaluate_Verdict(0.5f, true);
+                phi_1139_ = evaluate_Verdict(0.5f, true);
             }
-            let _e890 = phi_1136_;
-            phi_1137_ = _e890;
+            let _e893 = phi_1139_;
+            phi_1140_ = _e893;
         }
-        let _e892 = phi_1137_;
-        if (_e59.first_primitive < arrayLength((&visibility.member))) {
+        let _e895 = phi_1140_;
+        if (_e60.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e59.first_primitive)] = _e892.visibility;
+        visibility.member[(0u + _e60.first_primitive)] = _e895.visibility;
     }
     return;
 }

@@ -108,37 +108,37 @@ var<storage> levels: type_49;
 var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_176_: lt_bvh_traverse_Tree;
-    var phi_177_: bool;
-    var phi_178_: lt_bvh_traverse_Tree;
-    var phi_179_: bool;
-    var phi_184_: lt_bvh_traverse_Tree;
+    var phi_177_: lt_bvh_traverse_Tree;
+    var phi_178_: bool;
+    var phi_179_: lt_bvh_traverse_Tree;
+    var phi_180_: bool;
+    var phi_185_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_176_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_177_ = false;
+            phi_177_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_178_ = false;
         } else {
-            phi_176_ = lt_bvh_traverse_Tree();
-            phi_177_ = true;
+            phi_177_ = lt_bvh_traverse_Tree();
+            phi_178_ = true;
         }
-        let _e68 = phi_176_;
-        let _e70 = phi_177_;
-        phi_178_ = _e68;
-        phi_179_ = _e70;
+        let _e69 = phi_177_;
+        let _e71 = phi_178_;
+        phi_179_ = _e69;
+        phi_180_ = _e71;
     } else {
-        phi_178_ = lt_bvh_traverse_Tree();
-        phi_179_ = true;
+        phi_179_ = lt_bvh_traverse_Tree();
+        phi_180_ = true;
     }
-    let _e72 = phi_178_;
-    let _e74 = phi_179_;
-    if _e74 {
-        phi_184_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e73 = phi_179_;
+    let _e75 = phi_180_;
+    if _e75 {
+        phi_185_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_184_ = _e72;
+        phi_185_ = _e73;
     }
-    let _e79 = phi_184_;
-    return lt_bvh_traverse_Tree(_e79.root, _e79.first_primitive);
+    let _e80 = phi_185_;
+    return lt_bvh_traverse_Tree(_e80.root, _e80.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -146,167 +146,166 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_204_: bool;
-    var phi_208_: f32;
+    var phi_205_: bool;
+    var phi_209_: f32;
 
-    let _e56 = (*param_4);
+    let _e57 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_204_ = true;
+        phi_205_ = true;
     } else {
-        let _e60 = (84f < _e56);
-        if _e60 {
+        let _e61 = (84f < _e57);
+        if _e61 {
         }
-        phi_204_ = _e60;
+        phi_205_ = _e61;
     }
-    let _e62 = phi_204_;
-    if _e62 {
-        phi_208_ = 84f;
+    let _e63 = phi_205_;
+    if _e63 {
+        phi_209_ = 84f;
     } else {
-        phi_208_ = _e56;
+        phi_209_ = _e57;
     }
-    let _e64 = phi_208_;
-    return _e64;
+    let _e65 = phi_209_;
+    return _e65;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_227_: f32;
     var phi_228_: f32;
     var phi_229_: f32;
-    var phi_244_: f32;
-    var phi_249_: f32;
-    var phi_271_: f32;
-    var phi_276_: f32;
-    var phi_277_: bool;
-    var phi_278_: f32;
-    var phi_279_: bool;
-    var phi_283_: f32;
-    var phi_321_: f32;
-    var phi_337_: f32;
+    var phi_230_: f32;
+    var phi_245_: f32;
+    var phi_250_: f32;
+    var phi_272_: f32;
+    var phi_277_: f32;
+    var phi_278_: bool;
+    var phi_279_: f32;
+    var phi_280_: bool;
+    var phi_284_: f32;
+    var phi_322_: f32;
     var phi_338_: f32;
     var phi_339_: f32;
+    var phi_340_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_229_ = param_7;
+        phi_230_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_228_ = 0f;
+            phi_229_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_227_ = 1f;
+                phi_228_ = 1f;
             } else {
-                phi_227_ = param_7;
+                phi_228_ = param_7;
             }
-            let _e64 = phi_227_;
-            phi_228_ = _e64;
+            let _e65 = phi_228_;
+            phi_229_ = _e65;
         }
-        let _e66 = phi_228_;
-        phi_229_ = _e66;
+        let _e67 = phi_229_;
+        phi_230_ = _e67;
     }
-    let _e68 = phi_229_;
-    let _e70 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    let _e72 = (_e70 * (1f - _e68));
-    if ((bitcast<u32>(_e72) & 2147483647u) > 2139095040u) {
-        phi_321_ = _e72;
+    let _e69 = phi_230_;
+    let _e71 = _lt_math_esm_Esm_clamped_exponent(param_5);
+    let _e73 = (_e71 * (1f - _e69));
+    if ((bitcast<u32>(_e73) & 2147483647u) > 2139095040u) {
+        phi_322_ = _e73;
     } else {
-        if (_e72 < -87f) {
-            phi_244_ = -87f;
+        if (_e73 < -87f) {
+            phi_245_ = -87f;
         } else {
-            phi_244_ = _e72;
+            phi_245_ = _e73;
         }
-        let _e78 = phi_244_;
-        if (_e78 > 88f) {
-            phi_249_ = 88f;
+        let _e79 = phi_245_;
+        if (_e79 > 88f) {
+            phi_250_ = 88f;
         } else {
-            phi_249_ = _e78;
+            phi_250_ = _e79;
         }
-        let _e81 = phi_249_;
-        let _e83 = ((_e81 * 1.442695f) + 0.5f);
-        if (_e83 > -8388608f) {
-            let _e95 = f32(select(0i, select(select(i32(_e83), i32(-2147483648), (_e83 < bitcast<f32>(3472883712u))), 2147483647i, (_e83 > bitcast<f32>(1325400063u))), (_e83 == _e83)));
-            if (_e95 > _e83) {
-                phi_271_ = 1f;
+        let _e82 = phi_250_;
+        let _e84 = ((_e82 * 1.442695f) + 0.5f);
+        if (_e84 > -8388608f) {
+            let _e96 = f32(select(0i, select(select(i32(_e84), i32(-2147483648), (_e84 < bitcast<f32>(3472883712u))), 2147483647i, (_e84 > bitcast<f32>(1325400063u))), (_e84 == _e84)));
+            if (_e96 > _e84) {
+                phi_272_ = 1f;
             } else {
-                phi_271_ = 0f;
+                phi_272_ = 0f;
             }
-            let _e98 = phi_271_;
-            if (_e83 < 8388608f) {
-                phi_276_ = (_e95 - _e98);
-                phi_277_ = false;
+            let _e99 = phi_272_;
+            if (_e84 < 8388608f) {
+                phi_277_ = (_e96 - _e99);
+                phi_278_ = false;
             } else {
-                phi_276_ = f32();
-                phi_277_ = true;
+                phi_277_ = f32();
+                phi_278_ = true;
             }
-            let _e101 = phi_276_;
-            let _e103 = phi_277_;
-            phi_278_ = _e101;
-            phi_279_ = _e103;
+            let _e102 = phi_277_;
+            let _e104 = phi_278_;
+            phi_279_ = _e102;
+            phi_280_ = _e104;
         } else {
-            phi_278_ = f32();
-            phi_279_ = true;
+            phi_279_ = f32();
+            phi_280_ = true;
         }
-        let _e105 = phi_278_;
-        let _e107 = phi_279_;
-        if _e107 {
-            phi_283_ = _e83;
+        let _e106 = phi_279_;
+        let _e108 = phi_280_;
+        if _e108 {
+            phi_284_ = _e84;
         } else {
-            phi_283_ = _e105;
+            phi_284_ = _e106;
         }
-        let _e109 = phi_283_;
-        let _e113 = ((_e81 - (_e109 * 0.69314575f)) - (_e109 * 0.0000014286068f));
-        phi_321_ = ((((((((((((((((1f / 5040f) * _e113) + (1f / 720f)) * _e113) + (1f / 120f)) * _e113) + (1f / 24f)) * _e113) + (1f / 6f)) * _e113) + 0.5f) * _e113) + 1f) * _e113) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e109), i32(-2147483648), (_e109 < bitcast<f32>(3472883712u))), 2147483647i, (_e109 > bitcast<f32>(1325400063u))), (_e109 == _e109)) + 127i)) << bitcast<u32>(23i))));
+        let _e110 = phi_284_;
+        let _e114 = ((_e82 - (_e110 * 0.69314575f)) - (_e110 * 0.0000014286068f));
+        phi_322_ = ((((((((((((((((1f / 5040f) * _e114) + (1f / 720f)) * _e114) + (1f / 120f)) * _e114) + (1f / 24f)) * _e114) + (1f / 6f)) * _e114) + 0.5f) * _e114) + 1f) * _e114) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e110), i32(-2147483648), (_e110 < bitcast<f32>(3472883712u))), 2147483647i, (_e110 > bitcast<f32>(1325400063u))), (_e110 == _e110)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e149 = phi_321_;
-    let _e150 = (param_6.x * _e149);
-    if ((bitcast<u32>(_e150) & 2147483647u) > 2139095040u) {
-        phi_339_ = _e150;
+    let _e150 = phi_322_;
+    let _e151 = (param_6.x * _e150);
+    if ((bitcast<u32>(_e151) & 2147483647u) > 2139095040u) {
+        phi_340_ = _e151;
     } else {
-        if (_e150 < 0f) {
-            phi_338_ = 0f;
+        if (_e151 < 0f) {
+            phi_339_ = 0f;
         } else {
-            if (_e150 > 1f) {
-                phi_337_ = 1f;
+            if (_e151 > 1f) {
+                phi_338_ = 1f;
             } else {
-                phi_337_ = _e150;
+                phi_338_ = _e151;
             }
-            let _e157 = phi_337_;
-            phi_338_ = _e157;
+            let _e158 = phi_338_;
+            phi_339_ = _e158;
         }
-        let _e159 = phi_338_;
-        phi_339_ = _e159;
+        let _e160 = phi_339_;
+        phi_340_ = _e160;
     }
-    let _e161 = phi_339_;
-    return _e161;
+    let _e162 = phi_340_;
+    return _e162;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_394_: bool;
     var phi_395_: bool;
     var phi_396_: bool;
     var phi_397_: bool;
-    var phi_401_: bool;
-    var phi_471_: bool;
+    var phi_398_: bool;
+    var phi_402_: bool;
     var phi_472_: bool;
-    var phi_483_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_484_: bool;
-    var phi_485_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_486_: bool;
-    var phi_493_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_497_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_517_: lt_math_LightPoint;
-    var phi_520_: u32;
-    var phi_522_: lt_math_LevelPoint;
-    var phi_608_: bool;
-    var phi_617_: bool;
-    var phi_626_: bool;
+    var phi_473_: bool;
+    var phi_484_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_485_: bool;
+    var phi_486_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_487_: bool;
+    var phi_494_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_498_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_518_: lt_math_LightPoint;
+    var phi_521_: u32;
+    var phi_523_: lt_math_LevelPoint;
+    var phi_609_: bool;
+    var phi_618_: bool;
     var phi_627_: bool;
     var phi_628_: bool;
     var phi_629_: bool;
     var phi_630_: bool;
     var phi_631_: bool;
     var phi_632_: bool;
-    var phi_636_: bool;
-    var phi_663_: bool;
+    var phi_633_: bool;
+    var phi_637_: bool;
     var phi_664_: bool;
     var phi_665_: bool;
     var phi_666_: bool;
@@ -314,647 +313,649 @@ fn function_() {
     var phi_668_: bool;
     var phi_669_: bool;
     var phi_670_: bool;
-    var phi_674_: bool;
-    var phi_683_: lt_math_LightPoint;
-    var phi_684_: u32;
-    var phi_685_: lt_math_LevelPoint;
-    var phi_686_: bool;
-    var phi_518_: lt_math_LightPoint;
-    var phi_521_: u32;
-    var phi_523_: lt_math_LevelPoint;
+    var phi_671_: bool;
+    var phi_675_: bool;
+    var phi_684_: lt_math_LightPoint;
+    var phi_685_: u32;
+    var phi_686_: lt_math_LevelPoint;
     var phi_687_: bool;
+    var phi_519_: lt_math_LightPoint;
+    var phi_522_: u32;
+    var phi_524_: lt_math_LevelPoint;
+    var phi_688_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_727_: bool;
     var phi_728_: bool;
     var phi_729_: bool;
     var phi_730_: bool;
-    var phi_734_: bool;
-    var phi_816_: f32;
-    var phi_932_: f32;
-    var phi_933_: f32;
+    var phi_731_: bool;
+    var phi_735_: bool;
+    var phi_817_: f32;
+    var phi_935_: f32;
     var phi_936_: f32;
-    var phi_965_: f32;
-    var phi_970_: f32;
-    var phi_971_: bool;
-    var phi_972_: f32;
-    var phi_973_: bool;
-    var phi_977_: f32;
-    var phi_997_: f32;
-    var phi_1002_: f32;
-    var phi_1003_: bool;
-    var phi_1004_: f32;
-    var phi_1005_: bool;
-    var phi_1009_: f32;
+    var phi_939_: f32;
+    var phi_968_: f32;
+    var phi_973_: f32;
+    var phi_974_: bool;
+    var phi_975_: f32;
+    var phi_976_: bool;
+    var phi_980_: f32;
+    var phi_1000_: f32;
+    var phi_1005_: f32;
+    var phi_1006_: bool;
+    var phi_1007_: f32;
+    var phi_1008_: bool;
+    var phi_1012_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1058_: i32;
-    var phi_1063_: i32;
-    var phi_1068_: i32;
-    var phi_1073_: i32;
-    var phi_1082_: i32;
-    var phi_1087_: i32;
-    var phi_1092_: i32;
-    var phi_1097_: i32;
-    var phi_1192_: bool;
-    var phi_1200_: bool;
-    var phi_1212_: bool;
-    var phi_1213_: bool;
-    var phi_1217_: f32;
-    var phi_1223_: f32;
-    var phi_1225_: evaluate_Verdict;
-    var phi_1230_: evaluate_Verdict;
-    var phi_1231_: evaluate_Verdict;
-    var phi_1235_: bool;
-    var phi_1236_: u32;
-    var phi_1247_: u32;
+    var phi_1061_: i32;
+    var phi_1066_: i32;
+    var phi_1071_: i32;
+    var phi_1076_: i32;
+    var phi_1085_: i32;
+    var phi_1090_: i32;
+    var phi_1095_: i32;
+    var phi_1100_: i32;
+    var phi_1195_: bool;
+    var phi_1203_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1220_: f32;
+    var phi_1226_: f32;
+    var phi_1228_: evaluate_Verdict;
+    var phi_1233_: evaluate_Verdict;
+    var phi_1234_: evaluate_Verdict;
+    var phi_1238_: bool;
+    var phi_1239_: u32;
+    var phi_1250_: u32;
 
-    let _e56 = id_1;
-    let _e57 = local_5;
-    let _e62 = arrayLength((&map.member));
-    let _e67 = arrayLength((&levels.member));
-    let _e70 = p.member.size[0u];
-    let _e72 = p.member.size[1u];
-    let _e73 = lt_shaders_entry_pixel_index(_e56, _e70, _e72);
-    if (bitcast<i32>(_e73.root) != 0i) {
-        let _e80 = p.member.level_count;
-        let _e84 = samples.member[_e73.first_primitive].normal[0u];
-        let _e86 = global[0u];
-        if (_e84 == _e86) {
-            let _e89 = samples.member[_e73.first_primitive].normal[1u];
-            let _e91 = global[1u];
-            if (_e89 == _e91) {
-                let _e94 = samples.member[_e73.first_primitive].normal[2u];
-                let _e96 = global[2u];
-                phi_394_ = (_e94 == _e96);
-                phi_395_ = false;
+    let _e57 = id_1;
+    let _e58 = local_5;
+    let _e63 = arrayLength((&map.member));
+    let _e68 = arrayLength((&levels.member));
+    let _e71 = p.member.size[0u];
+    let _e73 = p.member.size[1u];
+    let _e74 = lt_shaders_entry_pixel_index(_e57, _e71, _e73);
+    if (bitcast<i32>(_e74.root) != 0i) {
+        let _e81 = p.member.level_count;
+        let _e85 = samples.member[_e74.first_primitive].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[_e74.first_primitive].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[_e74.first_primitive].normal[2u];
+                let _e97 = global[2u];
+                phi_395_ = (_e95 == _e97);
+                phi_396_ = false;
             } else {
-                phi_394_ = bool();
-                phi_395_ = true;
+                phi_395_ = bool();
+                phi_396_ = true;
             }
-            let _e99 = phi_394_;
-            let _e101 = phi_395_;
-            phi_396_ = _e99;
-            phi_397_ = _e101;
+            let _e100 = phi_395_;
+            let _e102 = phi_396_;
+            phi_397_ = _e100;
+            phi_398_ = _e102;
         } else {
-            phi_396_ = bool();
-            phi_397_ = true;
+            phi_397_ = bool();
+            phi_398_ = true;
         }
-        let _e103 = phi_396_;
-        let _e105 = phi_397_;
-        if _e105 {
-            phi_401_ = false;
+        let _e104 = phi_397_;
+        let _e106 = phi_398_;
+        if _e106 {
+            phi_402_ = false;
         } else {
-            phi_401_ = _e103;
+            phi_402_ = _e104;
         }
-        let _e107 = phi_401_;
-        if !(_e107) {
-            let _e110 = samples.member[_e73.first_primitive].position;
-            let _e112 = p.member.light.place;
-            let _e118 = p.member.light.place[3u];
-            let _e125 = (_e112.x - (_e110.x * _e118));
-            let _e126 = (_e112.y - (_e110.y * _e118));
-            let _e127 = (_e112.z - (_e110.z * _e118));
-            let _e129 = samples.member[_e73.first_primitive].normal;
-            if ((((_e129.x * _e125) + (_e129.y * _e126)) + (_e129.z * _e127)) > 0f) {
-                let _e143 = (((_e125 * _e125) + (_e126 * _e126)) + (_e127 * _e127));
-                let _e145 = p.member.light.axis;
-                let _e157 = p.member.light.place[3u];
-                if (_e157 == 0f) {
-                    phi_472_ = true;
+        let _e108 = phi_402_;
+        if !(_e108) {
+            let _e111 = samples.member[_e74.first_primitive].position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = samples.member[_e74.first_primitive].normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_473_ = true;
                 } else {
-                    let _e160 = p.member.light.range_squared;
-                    if (_e143 <= _e160) {
-                        let _e163 = p.member.light.cos_outer;
-                        phi_471_ = (-((((_e125 * _e145.x) + (_e126 * _e145.y)) + (_e127 * _e145.z))) >= (_e163 * sqrt(_e143)));
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_472_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_471_ = false;
+                        phi_472_ = false;
                     }
-                    let _e168 = phi_471_;
-                    phi_472_ = _e168;
+                    let _e169 = phi_472_;
+                    phi_473_ = _e169;
                 }
-                let _e170 = phi_472_;
-                if _e170 {
-                    let _e172 = samples.member[_e73.first_primitive].flags;
-                    let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e180.unnamed.visibility, false), _e180.unnamed_1);
-                    phi_483_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e186.unnamed, ((_e172 & 1u) == 0u));
-                    phi_484_ = false;
+                let _e171 = phi_473_;
+                if _e171 {
+                    let _e173 = samples.member[_e74.first_primitive].flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_484_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_485_ = false;
                 } else {
-                    phi_483_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_484_ = true;
+                    phi_484_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_485_ = true;
                 }
-                let _e191 = phi_483_;
-                let _e193 = phi_484_;
-                phi_485_ = _e191;
-                phi_486_ = _e193;
+                let _e192 = phi_484_;
+                let _e194 = phi_485_;
+                phi_486_ = _e192;
+                phi_487_ = _e194;
             } else {
-                phi_485_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_486_ = true;
+                phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_487_ = true;
             }
-            let _e195 = phi_485_;
-            let _e197 = phi_486_;
-            if _e197 {
-                let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
-                phi_493_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
+            let _e196 = phi_486_;
+            let _e198 = phi_487_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_494_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_493_ = _e195;
+                phi_494_ = _e196;
             }
-            let _e214 = phi_493_;
-            phi_497_ = _e214;
+            let _e215 = phi_494_;
+            phi_498_ = _e215;
         } else {
-            let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e226 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e220.unnamed.visibility, false), _e220.unnamed_1);
-            phi_497_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e226.unnamed, true);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_498_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e231 = phi_497_;
-        if _e231.unnamed_1 {
-            phi_1231_ = evaluate_Verdict(_e231.unnamed.visibility, _e231.unnamed.is_doubted);
+        let _e232 = phi_498_;
+        if _e232.unnamed_1 {
+            phi_1234_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
         } else {
-            let _e239 = samples.member[_e73.first_primitive].position;
-            let _e241 = p.member.map_size;
-            let _e243 = (0.5f / f32(_e241));
-            let _e250 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e257 = lt_math_LightPoint(vec2<f32>(_e250.uv.x, 0f), _e250.depth, _e250.is_inside);
-            let _e261 = lt_math_LightPoint(_e257.uv, 0f, _e257.is_inside);
-            phi_517_ = lt_math_LightPoint();
-            phi_520_ = 0u;
-            phi_522_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e261.uv, _e261.depth, false));
+            let _e240 = samples.member[_e74.first_primitive].position;
+            let _e242 = p.member.map_size;
+            let _e244 = (0.5f / f32(_e242));
+            let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
+            let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
+            phi_518_ = lt_math_LightPoint();
+            phi_521_ = 0u;
+            phi_523_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
             loop {
-                let _e268 = phi_517_;
-                let _e270 = phi_520_;
-                let _e272 = phi_522_;
-                local_2 = _e272;
-                local_3 = _e272;
-                local_4 = _e272;
-                if (_e270 < _e80) {
-                    if _e272.point.is_inside {
-                        phi_683_ = lt_math_LightPoint();
-                        phi_684_ = u32();
-                        phi_685_ = lt_math_LevelPoint();
-                        phi_686_ = false;
+                let _e269 = phi_518_;
+                let _e271 = phi_521_;
+                let _e273 = phi_523_;
+                local_2 = _e273;
+                local_3 = _e273;
+                local_4 = _e273;
+                if (_e271 < _e81) {
+                    if _e273.point.is_inside {
+                        phi_684_ = lt_math_LightPoint();
+                        phi_685_ = u32();
+                        phi_686_ = lt_math_LevelPoint();
+                        phi_687_ = false;
                     } else {
-                        if (_e270 < _e67) {
+                        if (_e271 < _e68) {
                         } else {
                             return;
                         }
-                        let _e283 = levels.member[(0u + _e270)].row_w;
-                        let _e294 = ((((_e283.x * _e239.x) + (_e283.y * _e239.y)) + (_e283.z * _e239.z)) + (_e283.w * 1f));
-                        let _e296 = levels.member[(0u + _e270)].row_x;
-                        let _e308 = (((((_e296.x * _e239.x) + (_e296.y * _e239.y)) + (_e296.z * _e239.z)) + (_e296.w * 1f)) / _e294);
-                        let _e310 = levels.member[(0u + _e270)].row_y;
-                        let _e322 = (((((_e310.x * _e239.x) + (_e310.y * _e239.y)) + (_e310.z * _e239.z)) + (_e310.w * 1f)) / _e294);
-                        let _e324 = levels.member[(0u + _e270)].row_z;
-                        let _e335 = ((((_e324.x * _e239.x) + (_e324.y * _e239.y)) + (_e324.z * _e239.z)) + (_e324.w * 1f));
-                        if (_e294 > 0f) {
-                            if (_e308 >= 0f) {
-                                phi_608_ = (_e308 <= 1f);
+                        let _e284 = levels.member[(0u + _e271)].row_w;
+                        let _e295 = ((((_e284.x * _e240.x) + (_e284.y * _e240.y)) + (_e284.z * _e240.z)) + (_e284.w * 1f));
+                        let _e297 = levels.member[(0u + _e271)].row_x;
+                        let _e309 = (((((_e297.x * _e240.x) + (_e297.y * _e240.y)) + (_e297.z * _e240.z)) + (_e297.w * 1f)) / _e295);
+                        let _e311 = levels.member[(0u + _e271)].row_y;
+                        let _e323 = (((((_e311.x * _e240.x) + (_e311.y * _e240.y)) + (_e311.z * _e240.z)) + (_e311.w * 1f)) / _e295);
+                        let _e325 = levels.member[(0u + _e271)].row_z;
+                        let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
+                        if (_e295 > 0f) {
+                            if (_e309 >= 0f) {
+                                phi_609_ = (_e309 <= 1f);
                             } else {
-                                phi_608_ = false;
+                                phi_609_ = false;
                             }
-                            let _e340 = phi_608_;
-                            if _e340 {
-                                if (_e322 >= 0f) {
-                                    phi_617_ = (_e322 <= 1f);
+                            let _e341 = phi_609_;
+                            if _e341 {
+                                if (_e323 >= 0f) {
+                                    phi_618_ = (_e323 <= 1f);
                                 } else {
-                                    phi_617_ = false;
+                                    phi_618_ = false;
                                 }
-                                let _e344 = phi_617_;
-                                if _e344 {
-                                    if (_e335 >= 0f) {
-                                        phi_626_ = (_e335 <= 1f);
+                                let _e345 = phi_618_;
+                                if _e345 {
+                                    if (_e336 >= 0f) {
+                                        phi_627_ = (_e336 <= 1f);
                                     } else {
-                                        phi_626_ = false;
+                                        phi_627_ = false;
                                     }
-                                    let _e348 = phi_626_;
-                                    phi_627_ = _e348;
-                                    phi_628_ = false;
+                                    let _e349 = phi_627_;
+                                    phi_628_ = _e349;
+                                    phi_629_ = false;
                                 } else {
-                                    phi_627_ = bool();
-                                    phi_628_ = true;
+                                    phi_628_ = bool();
+                                    phi_629_ = true;
                                 }
-                                let _e350 = phi_627_;
-                                let _e352 = phi_628_;
-                                phi_629_ = _e350;
-                                phi_630_ = _e352;
+                                let _e351 = phi_628_;
+                                let _e353 = phi_629_;
+                                phi_630_ = _e351;
+                                phi_631_ = _e353;
                             } else {
-                                phi_629_ = bool();
-                                phi_630_ = true;
+                                phi_630_ = bool();
+                                phi_631_ = true;
                             }
-                            let _e354 = phi_629_;
-                            let _e356 = phi_630_;
-                            phi_631_ = _e354;
-                            phi_632_ = _e356;
+                            let _e355 = phi_630_;
+                            let _e357 = phi_631_;
+                            phi_632_ = _e355;
+                            phi_633_ = _e357;
                         } else {
-                            phi_631_ = bool();
-                            phi_632_ = true;
+                            phi_632_ = bool();
+                            phi_633_ = true;
                         }
-                        let _e358 = phi_631_;
-                        let _e360 = phi_632_;
-                        if _e360 {
-                            phi_636_ = false;
+                        let _e359 = phi_632_;
+                        let _e361 = phi_633_;
+                        if _e361 {
+                            phi_637_ = false;
                         } else {
-                            phi_636_ = _e358;
+                            phi_637_ = _e359;
                         }
-                        let _e362 = phi_636_;
-                        if _e362 {
-                            if (_e308 >= _e243) {
-                                if (_e308 <= (1f - _e243)) {
-                                    if (_e322 >= _e243) {
-                                        phi_663_ = (_e322 <= (1f - _e243));
-                                        phi_664_ = false;
+                        let _e363 = phi_637_;
+                        if _e363 {
+                            if (_e309 >= _e244) {
+                                if (_e309 <= (1f - _e244)) {
+                                    if (_e323 >= _e244) {
+                                        phi_664_ = (_e323 <= (1f - _e244));
+                                        phi_665_ = false;
                                     } else {
-                                        phi_663_ = bool();
-                                        phi_664_ = true;
+                                        phi_664_ = bool();
+                                        phi_665_ = true;
                                     }
-                                    let _e370 = phi_663_;
-                                    let _e372 = phi_664_;
-                                    phi_665_ = _e370;
-                                    phi_666_ = _e372;
+                                    let _e371 = phi_664_;
+                                    let _e373 = phi_665_;
+                                    phi_666_ = _e371;
+                                    phi_667_ = _e373;
                                 } else {
-                                    phi_665_ = bool();
-                                    phi_666_ = true;
+                                    phi_666_ = bool();
+                                    phi_667_ = true;
                                 }
-                                let _e374 = phi_665_;
-                                let _e376 = phi_666_;
-                                phi_667_ = _e374;
-                                phi_668_ = _e376;
+                                let _e375 = phi_666_;
+                                let _e377 = phi_667_;
+                                phi_668_ = _e375;
+                                phi_669_ = _e377;
                             } else {
-                                phi_667_ = bool();
-                                phi_668_ = true;
+                                phi_668_ = bool();
+                                phi_669_ = true;
                             }
-                            let _e378 = phi_667_;
-                            let _e380 = phi_668_;
-                            phi_669_ = _e378;
-                            phi_670_ = _e380;
+                            let _e379 = phi_668_;
+                            let _e381 = phi_669_;
+                            phi_670_ = _e379;
+                            phi_671_ = _e381;
                         } else {
-                            phi_669_ = bool();
-                            phi_670_ = true;
+                            phi_670_ = bool();
+                            phi_671_ = true;
                         }
-                        let _e382 = phi_669_;
-                        let _e384 = phi_670_;
-                        if _e384 {
-                            phi_674_ = false;
+                        let _e383 = phi_670_;
+                        let _e385 = phi_671_;
+                        if _e385 {
+                            phi_675_ = false;
                         } else {
-                            phi_674_ = _e382;
+                            phi_675_ = _e383;
                         }
-                        let _e386 = phi_674_;
-                        let _e393 = lt_math_LightPoint(vec2<f32>(_e308, _e268.uv.y), _e268.depth, _e268.is_inside);
-                        let _e400 = lt_math_LightPoint(vec2<f32>(_e393.uv.x, _e322), _e393.depth, _e393.is_inside);
-                        let _e404 = lt_math_LightPoint(_e400.uv, _e335, _e400.is_inside);
-                        let _e408 = lt_math_LightPoint(_e404.uv, _e404.depth, _e386);
-                        phi_683_ = _e408;
-                        phi_684_ = (_e270 + 1u);
-                        phi_685_ = lt_math_LevelPoint(_e270, _e408);
-                        phi_686_ = true;
+                        let _e387 = phi_675_;
+                        let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
+                        let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
+                        let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
+                        let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
+                        phi_684_ = _e409;
+                        phi_685_ = (_e271 + 1u);
+                        phi_686_ = lt_math_LevelPoint(_e271, _e409);
+                        phi_687_ = true;
                     }
-                    let _e412 = phi_683_;
-                    let _e414 = phi_684_;
-                    let _e416 = phi_685_;
-                    let _e418 = phi_686_;
-                    phi_518_ = _e412;
-                    phi_521_ = _e414;
-                    phi_523_ = _e416;
-                    phi_687_ = _e418;
+                    let _e413 = phi_684_;
+                    let _e415 = phi_685_;
+                    let _e417 = phi_686_;
+                    let _e419 = phi_687_;
+                    phi_519_ = _e413;
+                    phi_522_ = _e415;
+                    phi_524_ = _e417;
+                    phi_688_ = _e419;
                 } else {
-                    phi_518_ = lt_math_LightPoint();
-                    phi_521_ = u32();
-                    phi_523_ = lt_math_LevelPoint();
-                    phi_687_ = false;
+                    phi_519_ = lt_math_LightPoint();
+                    phi_522_ = u32();
+                    phi_524_ = lt_math_LevelPoint();
+                    phi_688_ = false;
                 }
-                let _e420 = phi_518_;
-                let _e422 = phi_521_;
-                let _e424 = phi_523_;
-                let _e426 = phi_687_;
+                let _e421 = phi_519_;
+                let _e423 = phi_522_;
+                let _e425 = phi_524_;
+                let _e427 = phi_688_;
                 continue;
                 continuing {
-                    phi_517_ = _e420;
-                    phi_520_ = _e422;
-                    phi_522_ = _e424;
-                    break if !(_e426);
+                    phi_518_ = _e421;
+                    phi_521_ = _e423;
+                    phi_523_ = _e425;
+                    break if !(_e427);
                 }
             }
-            let _e429 = local_2;
-            if _e429.point.is_inside {
+            let _e430 = local_2;
+            if _e430.point.is_inside {
                 if (0f > 0f) {
-                    let _e435 = local_3;
-                    if (_e435.level < _e67) {
+                    let _e436 = local_3;
+                    if (_e436.level < _e68) {
                     } else {
                         return;
                     }
-                    let _e440 = levels.member[(0u + _e435.level)];
-                    let _e446 = global[0u];
-                    if (_e440.row_w.x == _e446) {
-                        let _e449 = global[1u];
-                        if (_e440.row_w.y == _e449) {
-                            let _e452 = global[2u];
-                            phi_727_ = (_e440.row_w.z == _e452);
-                            phi_728_ = false;
+                    let _e441 = levels.member[(0u + _e436.level)];
+                    let _e447 = global[0u];
+                    if (_e441.row_w.x == _e447) {
+                        let _e450 = global[1u];
+                        if (_e441.row_w.y == _e450) {
+                            let _e453 = global[2u];
+                            phi_728_ = (_e441.row_w.z == _e453);
+                            phi_729_ = false;
                         } else {
-                            phi_727_ = bool();
-                            phi_728_ = true;
+                            phi_728_ = bool();
+                            phi_729_ = true;
                         }
-                        let _e455 = phi_727_;
-                        let _e457 = phi_728_;
-                        phi_729_ = _e455;
-                        phi_730_ = _e457;
+                        let _e456 = phi_728_;
+                        let _e458 = phi_729_;
+                        phi_730_ = _e456;
+                        phi_731_ = _e458;
                     } else {
-                        phi_729_ = bool();
-                        phi_730_ = true;
+                        phi_730_ = bool();
+                        phi_731_ = true;
                     }
-                    let _e459 = phi_729_;
-                    let _e461 = phi_730_;
-                    if _e461 {
-                        phi_734_ = false;
+                    let _e460 = phi_730_;
+                    let _e462 = phi_731_;
+                    if _e462 {
+                        phi_735_ = false;
                     } else {
-                        phi_734_ = _e459;
+                        phi_735_ = _e460;
                     }
-                    let _e463 = phi_734_;
-                    if _e463 {
-                        let _e465 = samples.member[_e73.first_primitive].normal;
-                        let _e467 = p.member.map_size;
-                        let _e537 = ((abs(((((_e440.row_x.x * _e465.x) + (_e440.row_x.y * _e465.y)) + (_e440.row_x.z * _e465.z)) / (((_e440.row_x.x * _e440.row_x.x) + (_e440.row_x.y * _e440.row_x.y)) + (_e440.row_x.z * _e440.row_x.z)))) + abs(((((_e440.row_y.x * _e465.x) + (_e440.row_y.y * _e465.y)) + (_e440.row_y.z * _e465.z)) / (((_e440.row_y.x * _e440.row_y.x) + (_e440.row_y.y * _e440.row_y.y)) + (_e440.row_y.z * _e440.row_y.z))))) / (abs(((((_e440.row_z.x * _e465.x) + (_e440.row_z.y * _e465.y)) + (_e440.row_z.z * _e465.z)) / (((_e440.row_z.x * _e440.row_z.x) + (_e440.row_z.y * _e440.row_z.y)) + (_e440.row_z.z * _e440.row_z.z)))) * f32(_e467)));
-                        if (_e537 < 0.002f) {
-                            phi_816_ = _e537;
+                    let _e464 = phi_735_;
+                    if _e464 {
+                        let _e466 = samples.member[_e74.first_primitive].normal;
+                        let _e468 = p.member.map_size;
+                        let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
+                        if (_e538 < 0.002f) {
+                            phi_817_ = _e538;
                         } else {
-                            phi_816_ = 0.002f;
+                            phi_817_ = 0.002f;
                         }
-                        let _e540 = phi_816_;
-                        phi_933_ = _e540;
+                        let _e541 = phi_817_;
+                        phi_936_ = _e541;
                     } else {
-                        let _e542 = p.member.map_size;
-                        let _e548 = samples.member[_e73.first_primitive].position;
-                        let _e559 = ((((_e440.row_w.x * _e548.x) + (_e440.row_w.y * _e548.y)) + (_e440.row_w.z * _e548.z)) + _e440.row_w.w);
-                        let _e572 = ((_e440.row_x.x - (_e440.row_w.x * _e429.point.uv.x)) / _e559);
-                        let _e573 = ((_e440.row_x.y - (_e440.row_w.y * _e429.point.uv.x)) / _e559);
-                        let _e574 = ((_e440.row_x.z - (_e440.row_w.z * _e429.point.uv.x)) / _e559);
-                        let _e587 = ((_e440.row_y.x - (_e440.row_w.x * _e429.point.uv.y)) / _e559);
-                        let _e588 = ((_e440.row_y.y - (_e440.row_w.y * _e429.point.uv.y)) / _e559);
-                        let _e589 = ((_e440.row_y.z - (_e440.row_w.z * _e429.point.uv.y)) / _e559);
-                        let _e595 = samples.member[_e73.first_primitive].normal;
-                        let _e600 = ((_e588 * _e595.z) - (_e595.y * _e589));
-                        let _e605 = ((_e589 * _e595.x) - (_e595.z * _e587));
-                        let _e610 = ((_e587 * _e595.y) - (_e595.x * _e588));
-                        let _e612 = samples.member[_e73.first_primitive].normal;
-                        let _e617 = ((_e573 * _e612.z) - (_e612.y * _e574));
-                        let _e622 = ((_e574 * _e612.x) - (_e612.z * _e572));
-                        let _e627 = ((_e572 * _e612.y) - (_e612.x * _e573));
-                        let _e654 = ((abs(((((_e440.row_z.x * _e600) + (_e440.row_z.y * _e605)) + (_e440.row_z.z * _e610)) / (((_e572 * _e600) + (_e573 * _e605)) + (_e574 * _e610)))) + abs(((((_e440.row_z.x * _e617) + (_e440.row_z.y * _e622)) + (_e440.row_z.z * _e627)) / (((_e587 * _e617) + (_e588 * _e622)) + (_e589 * _e627))))) / f32(_e542));
-                        if (_e654 < 0.002f) {
-                            phi_932_ = _e654;
+                        let _e543 = p.member.map_size;
+                        let _e549 = samples.member[_e74.first_primitive].position;
+                        let _e560 = ((((_e441.row_w.x * _e549.x) + (_e441.row_w.y * _e549.y)) + (_e441.row_w.z * _e549.z)) + _e441.row_w.w);
+                        let _e573 = ((_e441.row_x.x - (_e441.row_w.x * _e430.point.uv.x)) / _e560);
+                        let _e574 = ((_e441.row_x.y - (_e441.row_w.y * _e430.point.uv.x)) / _e560);
+                        let _e575 = ((_e441.row_x.z - (_e441.row_w.z * _e430.point.uv.x)) / _e560);
+                        let _e588 = ((_e441.row_y.x - (_e441.row_w.x * _e430.point.uv.y)) / _e560);
+                        let _e589 = ((_e441.row_y.y - (_e441.row_w.y * _e430.point.uv.y)) / _e560);
+                        let _e590 = ((_e441.row_y.z - (_e441.row_w.z * _e430.point.uv.y)) / _e560);
+                        let _e596 = samples.member[_e74.first_primitive].normal;
+                        let _e601 = ((_e589 * _e596.z) - (_e596.y * _e590));
+                        let _e606 = ((_e590 * _e596.x) - (_e596.z * _e588));
+                        let _e611 = ((_e588 * _e596.y) - (_e596.x * _e589));
+                        let _e613 = samples.member[_e74.first_primitive].normal;
+                        let _e618 = ((_e574 * _e613.z) - (_e613.y * _e575));
+                        let _e623 = ((_e575 * _e613.x) - (_e613.z * _e573));
+                        let _e628 = ((_e573 * _e613.y) - (_e613.x * _e574));
+                        let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
+                        let _e657 = (16f / f32(_e543));
+                        if (_e655 < _e657) {
+                            phi_935_ = _e655;
                         } else {
-                            phi_932_ = 0.002f;
+                            phi_935_ = _e657;
                         }
-                        let _e657 = phi_932_;
-                        phi_933_ = _e657;
+                        let _e660 = phi_935_;
+                        phi_936_ = _e660;
                     }
-                    let _e659 = phi_933_;
-                    phi_936_ = (_e429.point.depth - (0f * _e659));
+                    let _e662 = phi_936_;
+                    phi_939_ = (_e430.point.depth - (0f * _e662));
                 } else {
-                    phi_936_ = _e429.point.depth;
+                    phi_939_ = _e430.point.depth;
                 }
-                let _e663 = phi_936_;
-                let _e669 = p.member.map_size;
-                let _e670 = f32(_e669);
-                let _e673 = ((_e429.point.uv.x * _e670) - 0.5f);
-                let _e674 = ((_e429.point.uv.y * _e670) - 0.5f);
-                if (_e673 > -8388608f) {
-                    let _e686 = f32(select(0i, select(select(i32(_e673), i32(-2147483648), (_e673 < bitcast<f32>(3472883712u))), 2147483647i, (_e673 > bitcast<f32>(1325400063u))), (_e673 == _e673)));
-                    if (_e686 > _e673) {
-                        phi_965_ = 1f;
+                let _e666 = phi_939_;
+                let _e672 = p.member.map_size;
+                let _e673 = f32(_e672);
+                let _e676 = ((_e430.point.uv.x * _e673) - 0.5f);
+                let _e677 = ((_e430.point.uv.y * _e673) - 0.5f);
+                if (_e676 > -8388608f) {
+                    let _e689 = f32(select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < bitcast<f32>(3472883712u))), 2147483647i, (_e676 > bitcast<f32>(1325400063u))), (_e676 == _e676)));
+                    if (_e689 > _e676) {
+                        phi_968_ = 1f;
                     } else {
-                        phi_965_ = 0f;
+                        phi_968_ = 0f;
                     }
-                    let _e689 = phi_965_;
-                    if (_e673 < 8388608f) {
-                        phi_970_ = (_e686 - _e689);
-                        phi_971_ = false;
+                    let _e692 = phi_968_;
+                    if (_e676 < 8388608f) {
+                        phi_973_ = (_e689 - _e692);
+                        phi_974_ = false;
                     } else {
-                        phi_970_ = f32();
-                        phi_971_ = true;
+                        phi_973_ = f32();
+                        phi_974_ = true;
                     }
-                    let _e692 = phi_970_;
-                    let _e694 = phi_971_;
-                    phi_972_ = _e692;
-                    phi_973_ = _e694;
+                    let _e695 = phi_973_;
+                    let _e697 = phi_974_;
+                    phi_975_ = _e695;
+                    phi_976_ = _e697;
                 } else {
-                    phi_972_ = f32();
-                    phi_973_ = true;
+                    phi_975_ = f32();
+                    phi_976_ = true;
                 }
-                let _e696 = phi_972_;
-                let _e698 = phi_973_;
-                if _e698 {
-                    phi_977_ = _e673;
+                let _e699 = phi_975_;
+                let _e701 = phi_976_;
+                if _e701 {
+                    phi_980_ = _e676;
                 } else {
-                    phi_977_ = _e696;
+                    phi_980_ = _e699;
                 }
-                let _e700 = phi_977_;
-                if (_e674 > -8388608f) {
-                    let _e712 = f32(select(0i, select(select(i32(_e674), i32(-2147483648), (_e674 < bitcast<f32>(3472883712u))), 2147483647i, (_e674 > bitcast<f32>(1325400063u))), (_e674 == _e674)));
-                    if (_e712 > _e674) {
-                        phi_997_ = 1f;
+                let _e703 = phi_980_;
+                if (_e677 > -8388608f) {
+                    let _e715 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
+                    if (_e715 > _e677) {
+                        phi_1000_ = 1f;
                     } else {
-                        phi_997_ = 0f;
+                        phi_1000_ = 0f;
                     }
-                    let _e715 = phi_997_;
-                    if (_e674 < 8388608f) {
-                        phi_1002_ = (_e712 - _e715);
-                        phi_1003_ = false;
+                    let _e718 = phi_1000_;
+                    if (_e677 < 8388608f) {
+                        phi_1005_ = (_e715 - _e718);
+                        phi_1006_ = false;
                     } else {
-                        phi_1002_ = f32();
-                        phi_1003_ = true;
+                        phi_1005_ = f32();
+                        phi_1006_ = true;
                     }
-                    let _e718 = phi_1002_;
-                    let _e720 = phi_1003_;
-                    phi_1004_ = _e718;
-                    phi_1005_ = _e720;
+                    let _e721 = phi_1005_;
+                    let _e723 = phi_1006_;
+                    phi_1007_ = _e721;
+                    phi_1008_ = _e723;
                 } else {
-                    phi_1004_ = f32();
-                    phi_1005_ = true;
+                    phi_1007_ = f32();
+                    phi_1008_ = true;
                 }
-                let _e722 = phi_1004_;
-                let _e724 = phi_1005_;
-                if _e724 {
-                    phi_1009_ = _e674;
+                let _e725 = phi_1007_;
+                let _e727 = phi_1008_;
+                if _e727 {
+                    phi_1012_ = _e677;
                 } else {
-                    phi_1009_ = _e722;
+                    phi_1012_ = _e725;
                 }
-                let _e726 = phi_1009_;
-                let _e727 = (_e673 - _e700);
-                let _e728 = (_e674 - _e726);
-                let _e737 = select(0i, select(select(i32(_e700), i32(-2147483648), (_e700 < bitcast<f32>(3472883712u))), 2147483647i, (_e700 > bitcast<f32>(1325400063u))), (_e700 == _e700));
-                let _e746 = select(0i, select(select(i32(_e726), i32(-2147483648), (_e726 < bitcast<f32>(3472883712u))), 2147483647i, (_e726 > bitcast<f32>(1325400063u))), (_e726 == _e726));
-                let _e749 = ((1f - _e727) * (1f - _e728));
-                let _e751 = (_e727 * (1f - _e728));
-                let _e753 = ((1f - _e727) * _e728);
-                let _e754 = (_e727 * _e728);
-                let _e756 = p.member.test;
-                let _e757 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e756);
-                let _e759 = p.member.map_size;
-                let _e761 = local_4;
-                local_1 = _e757;
-                let _e764 = ((_e761.level * _e759) * _e759);
-                let _e766 = (bitcast<i32>(_e759) - 1i);
-                if (_e737 > 0i) {
-                    phi_1058_ = _e737;
+                let _e729 = phi_1012_;
+                let _e730 = (_e676 - _e703);
+                let _e731 = (_e677 - _e729);
+                let _e740 = select(0i, select(select(i32(_e703), i32(-2147483648), (_e703 < bitcast<f32>(3472883712u))), 2147483647i, (_e703 > bitcast<f32>(1325400063u))), (_e703 == _e703));
+                let _e749 = select(0i, select(select(i32(_e729), i32(-2147483648), (_e729 < bitcast<f32>(3472883712u))), 2147483647i, (_e729 > bitcast<f32>(1325400063u))), (_e729 == _e729));
+                let _e752 = ((1f - _e730) * (1f - _e731));
+                let _e754 = (_e730 * (1f - _e731));
+                let _e756 = ((1f - _e730) * _e731);
+                let _e757 = (_e730 * _e731);
+                let _e759 = p.member.test;
+                let _e760 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e759);
+                let _e762 = p.member.map_size;
+                let _e764 = local_4;
+                local_1 = _e760;
+                let _e767 = ((_e764.level * _e762) * _e762);
+                let _e769 = (bitcast<i32>(_e762) - 1i);
+                if (_e740 > 0i) {
+                    phi_1061_ = _e740;
                 } else {
-                    phi_1058_ = 0i;
+                    phi_1061_ = 0i;
                 }
-                let _e769 = phi_1058_;
-                if (_e746 > 0i) {
-                    phi_1063_ = _e746;
+                let _e772 = phi_1061_;
+                if (_e749 > 0i) {
+                    phi_1066_ = _e749;
                 } else {
-                    phi_1063_ = 0i;
+                    phi_1066_ = 0i;
                 }
-                let _e772 = phi_1063_;
-                if (_e769 < _e766) {
-                    phi_1068_ = _e769;
+                let _e775 = phi_1066_;
+                if (_e772 < _e769) {
+                    phi_1071_ = _e772;
                 } else {
-                    phi_1068_ = _e766;
+                    phi_1071_ = _e769;
                 }
-                let _e775 = phi_1068_;
-                if (_e772 < _e766) {
-                    phi_1073_ = _e772;
+                let _e778 = phi_1071_;
+                if (_e775 < _e769) {
+                    phi_1076_ = _e775;
                 } else {
-                    phi_1073_ = _e766;
+                    phi_1076_ = _e769;
                 }
-                let _e778 = phi_1073_;
-                let _e779 = bitcast<u32>(_e775);
-                let _e781 = (_e737 + 1i);
-                let _e782 = (_e746 + 1i);
-                if (_e781 > 0i) {
-                    phi_1082_ = _e781;
+                let _e781 = phi_1076_;
+                let _e782 = bitcast<u32>(_e778);
+                let _e784 = (_e740 + 1i);
+                let _e785 = (_e749 + 1i);
+                if (_e784 > 0i) {
+                    phi_1085_ = _e784;
                 } else {
-                    phi_1082_ = 0i;
+                    phi_1085_ = 0i;
                 }
-                let _e785 = phi_1082_;
-                if (_e782 > 0i) {
-                    phi_1087_ = _e782;
+                let _e788 = phi_1085_;
+                if (_e785 > 0i) {
+                    phi_1090_ = _e785;
                 } else {
-                    phi_1087_ = 0i;
+                    phi_1090_ = 0i;
                 }
-                let _e788 = phi_1087_;
-                if (_e785 < _e766) {
-                    phi_1092_ = _e785;
+                let _e791 = phi_1090_;
+                if (_e788 < _e769) {
+                    phi_1095_ = _e788;
                 } else {
-                    phi_1092_ = _e766;
+                    phi_1095_ = _e769;
                 }
-                let _e791 = phi_1092_;
-                if (_e788 < _e766) {
-                    phi_1097_ = _e788;
+                let _e794 = phi_1095_;
+                if (_e791 < _e769) {
+                    phi_1100_ = _e791;
                 } else {
-                    phi_1097_ = _e766;
+                    phi_1100_ = _e769;
                 }
-                let _e794 = phi_1097_;
-                let _e795 = bitcast<u32>(_e791);
-                let _e797 = (bitcast<u32>(_e778) * _e759);
-                let _e798 = (bitcast<u32>(_e794) * _e759);
-                let _e803 = ((_e797 + _e779) + _e764);
-                let _e804 = ((_e797 + _e795) + _e764);
-                let _e805 = ((_e798 + _e779) + _e764);
-                let _e806 = ((_e798 + _e795) + _e764);
-                if (_e803 < _e62) {
+                let _e797 = phi_1100_;
+                let _e798 = bitcast<u32>(_e794);
+                let _e800 = (bitcast<u32>(_e781) * _e762);
+                let _e801 = (bitcast<u32>(_e797) * _e762);
+                let _e806 = ((_e800 + _e782) + _e767);
+                let _e807 = ((_e800 + _e798) + _e767);
+                let _e808 = ((_e801 + _e782) + _e767);
+                let _e809 = ((_e801 + _e798) + _e767);
+                if (_e806 < _e63) {
                 } else {
                     return;
                 }
-                let _e810 = map.member[(0u + _e803)];
-                if (_e804 < _e62) {
+                let _e813 = map.member[(0u + _e806)];
+                if (_e807 < _e63) {
                 } else {
                     return;
                 }
-                let _e822 = map.member[(0u + _e804)];
-                if (_e805 < _e62) {
+                let _e825 = map.member[(0u + _e807)];
+                if (_e808 < _e63) {
                 } else {
                     return;
                 }
-                let _e838 = map.member[(0u + _e805)];
-                if (_e806 < _e62) {
+                let _e841 = map.member[(0u + _e808)];
+                if (_e809 < _e63) {
                 } else {
                     return;
                 }
-                let _e854 = map.member[(0u + _e806)];
-                let _e868 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e810.x * _e749) + (_e822.x * _e751)) + (_e838.x * _e753)) + (_e854.x * _e754)), ((((_e810.y * _e749) + (_e822.y * _e751)) + (_e838.y * _e753)) + (_e854.y * _e754)), ((((_e810.z * _e749) + (_e822.z * _e751)) + (_e838.z * _e753)) + (_e854.z * _e754)), ((((_e810.w * _e749) + (_e822.w * _e751)) + (_e838.w * _e753)) + (_e854.w * _e754))), _e663);
-                let _e870 = p.member.epsilon;
-                if (_e868 <= _e870) {
-                    phi_1192_ = true;
+                let _e857 = map.member[(0u + _e809)];
+                let _e871 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e813.x * _e752) + (_e825.x * _e754)) + (_e841.x * _e756)) + (_e857.x * _e757)), ((((_e813.y * _e752) + (_e825.y * _e754)) + (_e841.y * _e756)) + (_e857.y * _e757)), ((((_e813.z * _e752) + (_e825.z * _e754)) + (_e841.z * _e756)) + (_e857.z * _e757)), ((((_e813.w * _e752) + (_e825.w * _e754)) + (_e841.w * _e756)) + (_e857.w * _e757))), _e666);
+                let _e873 = p.member.epsilon;
+                if (_e871 <= _e873) {
+                    phi_1195_ = true;
                 } else {
-                    phi_1192_ = (_e868 >= (1f - _e870));
+                    phi_1195_ = (_e871 >= (1f - _e873));
                 }
-                let _e875 = phi_1192_;
-                if ((bitcast<u32>(_e868) & 2147483647u) > 2139095040u) {
-                    phi_1200_ = true;
+                let _e878 = phi_1195_;
+                if ((bitcast<u32>(_e871) & 2147483647u) > 2139095040u) {
+                    phi_1203_ = true;
                 } else {
-                    phi_1200_ = !(_e875);
+                    phi_1203_ = !(_e878);
                 }
-                let _e881 = phi_1200_;
-                if _e881 {
-                    if (_e868 > 0f) {
-                        if (_e868 < 1f) {
-                            phi_1212_ = false;
+                let _e884 = phi_1203_;
+                if _e884 {
+                    if (_e871 > 0f) {
+                        if (_e871 < 1f) {
+                            phi_1215_ = false;
                         } else {
-                            phi_1212_ = true;
+                            phi_1215_ = true;
                         }
-                        let _e885 = phi_1212_;
-                        phi_1213_ = _e885;
+                        let _e888 = phi_1215_;
+                        phi_1216_ = _e888;
                     } else {
-                        phi_1213_ = true;
+                        phi_1216_ = true;
                     }
-                    let _e887 = phi_1213_;
-                    if _e887 {
-                        phi_1217_ = 0.5f;
+                    let _e890 = phi_1216_;
+                    if _e890 {
+                        phi_1220_ = 0.5f;
                     } else {
-                        phi_1217_ = _e868;
+                        phi_1220_ = _e871;
                     }
-                    let _e889 = phi_1217_;
-                    phi_1225_ = evaluate_Verdict(_e889, true);
+                    let _e892 = phi_1220_;
+                    phi_1228_ = evaluate_Verdict(_e892, true);
                 } else {
-                    if (_e868 > 0.5f) {
-                        phi_1223_ = 1f;
+                    if (_e871 > 0.5f) {
+                        phi_1226_ = 1f;
                     } else {
-                        phi_1223_ = 0f;
+                        phi_1226_ = 0f;
                     }
-                    let _e893 = phi_1223_;
-                    phi_1225_ = evaluate_Verdict(_e893, false);
+                    let _e896 = phi_1226_;
+                    phi_1228_ = evaluate_Verdict(_e896, false);
                 }
-                let _e896 = phi_1225_;
-                phi_1230_ = evaluate_Verdict(_e896.visibility, _e896.is_doubted);
+                let _e899 = phi_1228_;
+                phi_1233_ = evaluate_Verdict(_e899.visibility, _e899.is_doubted);
             } else {
-                phi_1230_ = evaluate_Verdict(0.5f, true);
+                phi_1233_ = evaluate_Verdict(0.5f, true);
             }
-            let _e902 = phi_1230_;
-            phi_1231_ = _e902;
+            let _e905 = phi_1233_;
+            phi_1234_ = _e905;
         }
-        let _e904 = phi_1231_;
-        visibility.member[_e73.first_primitive] = _e904.visibility;
-        phi_1235_ = _e904.is_doubted;
-        phi_1236_ = _e73.first_primitive;
+        let _e907 = phi_1234_;
+        visibility.member[_e74.first_primitive] = _e907.visibility;
+        phi_1238_ = _e907.is_doubted;
+        phi_1239_ = _e74.first_primitive;
     } else {
-        phi_1235_ = false;
-        phi_1236_ = 0u;
+        phi_1238_ = false;
+        phi_1239_ = 0u;
     }
-    let _e909 = phi_1235_;
-    let _e911 = phi_1236_;
-    if (_e57 == 0u) {
+    let _e912 = phi_1238_;
+    let _e914 = phi_1239_;
+    if (_e58 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e909 {
-        let _e915 = atomicAdd((&shared_[0u]), 1u);
-        phi_1247_ = _e915;
+    if _e912 {
+        let _e918 = atomicAdd((&shared_[0u]), 1u);
+        phi_1250_ = _e918;
     } else {
-        phi_1247_ = 0u;
+        phi_1250_ = 0u;
     }
-    let _e917 = phi_1247_;
+    let _e920 = phi_1250_;
     workgroupBarrier();
-    if (_e57 == 0u) {
-        let _e921 = atomicLoad((&shared_[0u]));
-        let _e922 = atomicAdd((&list.member[3u]), _e921);
-        atomicStore((&shared_[1u]), _e922);
+    if (_e58 == 0u) {
+        let _e924 = atomicLoad((&shared_[0u]));
+        let _e925 = atomicAdd((&list.member[3u]), _e924);
+        atomicStore((&shared_[1u]), _e925);
     }
     workgroupBarrier();
-    if _e909 {
-        let _e925 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e925) + _e917)]), _e911);
+    if _e912 {
+        let _e928 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e928) + _e920)]), _e914);
     }
     return;
 }

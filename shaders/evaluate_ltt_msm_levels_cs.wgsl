@@ -109,37 +109,37 @@ var<storage, read_write> list: type_51;
 var<storage> levels: type_45;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_163_: lt_bvh_traverse_Tree;
-    var phi_164_: bool;
-    var phi_165_: lt_bvh_traverse_Tree;
-    var phi_166_: bool;
-    var phi_171_: lt_bvh_traverse_Tree;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_167_: bool;
+    var phi_172_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_163_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_164_ = false;
+            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_165_ = false;
         } else {
-            phi_163_ = lt_bvh_traverse_Tree();
-            phi_164_ = true;
+            phi_164_ = lt_bvh_traverse_Tree();
+            phi_165_ = true;
         }
-        let _e58 = phi_163_;
-        let _e60 = phi_164_;
-        phi_165_ = _e58;
-        phi_166_ = _e60;
+        let _e59 = phi_164_;
+        let _e61 = phi_165_;
+        phi_166_ = _e59;
+        phi_167_ = _e61;
     } else {
-        phi_165_ = lt_bvh_traverse_Tree();
-        phi_166_ = true;
+        phi_166_ = lt_bvh_traverse_Tree();
+        phi_167_ = true;
     }
-    let _e62 = phi_165_;
-    let _e64 = phi_166_;
-    if _e64 {
-        phi_171_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e63 = phi_166_;
+    let _e65 = phi_167_;
+    if _e65 {
+        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_171_ = _e62;
+        phi_172_ = _e63;
     }
-    let _e69 = phi_171_;
-    return lt_bvh_traverse_Tree(_e69.root, _e69.first_primitive);
+    let _e70 = phi_172_;
+    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -147,511 +147,510 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_198_: f32;
     var phi_199_: f32;
     var phi_200_: f32;
-    var phi_217_: f32;
+    var phi_201_: f32;
     var phi_218_: f32;
     var phi_219_: f32;
-    var phi_235_: f32;
+    var phi_220_: f32;
     var phi_236_: f32;
     var phi_237_: f32;
-    var phi_253_: f32;
+    var phi_238_: f32;
     var phi_254_: f32;
     var phi_255_: f32;
-    var phi_271_: f32;
+    var phi_256_: f32;
     var phi_272_: f32;
     var phi_273_: f32;
-    var phi_308_: bool;
+    var phi_274_: f32;
     var phi_309_: bool;
     var phi_310_: bool;
     var phi_311_: bool;
     var phi_312_: bool;
     var phi_313_: bool;
-    var phi_317_: bool;
-    var phi_628_: f32;
+    var phi_314_: bool;
+    var phi_318_: bool;
     var phi_629_: f32;
     var phi_630_: f32;
-    var phi_647_: f32;
+    var phi_631_: f32;
     var phi_648_: f32;
     var phi_649_: f32;
-    var phi_666_: f32;
+    var phi_650_: f32;
     var phi_667_: f32;
     var phi_668_: f32;
-    var phi_685_: f32;
+    var phi_669_: f32;
     var phi_686_: f32;
     var phi_687_: f32;
-    var phi_710_: f32;
+    var phi_688_: f32;
     var phi_711_: f32;
     var phi_712_: f32;
-    var phi_723_: f32;
-    var phi_738_: f32;
-    var phi_740_: lt_bvh_slab_Span;
-    var phi_798_: f32;
+    var phi_713_: f32;
+    var phi_724_: f32;
+    var phi_739_: f32;
+    var phi_741_: lt_bvh_slab_Span;
     var phi_799_: f32;
     var phi_800_: f32;
     var phi_801_: f32;
     var phi_802_: f32;
-    var phi_803_: bool;
-    var phi_807_: f32;
-    var phi_822_: f32;
+    var phi_803_: f32;
+    var phi_804_: bool;
+    var phi_808_: f32;
     var phi_823_: f32;
     var phi_824_: f32;
     var phi_825_: f32;
     var phi_826_: f32;
     var phi_827_: f32;
     var phi_828_: f32;
-    var phi_829_: bool;
-    var phi_830_: f32;
+    var phi_829_: f32;
+    var phi_830_: bool;
     var phi_831_: f32;
-    var phi_832_: bool;
-    var phi_836_: f32;
+    var phi_832_: f32;
+    var phi_833_: bool;
+    var phi_837_: f32;
 
-    let _e49 = (*param_4);
+    let _e50 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_200_ = param_7;
+        phi_201_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_199_ = 0f;
+            phi_200_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_198_ = 1f;
+                phi_199_ = 1f;
             } else {
-                phi_198_ = param_7;
+                phi_199_ = param_7;
             }
-            let _e56 = phi_198_;
-            phi_199_ = _e56;
+            let _e57 = phi_199_;
+            phi_200_ = _e57;
         }
-        let _e58 = phi_199_;
-        phi_200_ = _e58;
+        let _e59 = phi_200_;
+        phi_201_ = _e59;
     }
-    let _e60 = phi_200_;
-    let _e61 = (_e60 - 0.00000047683716f);
+    let _e61 = phi_201_;
+    let _e62 = (_e61 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_219_ = param_5.x;
+        phi_220_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_218_ = 0f;
+            phi_219_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_217_ = 1f;
+                phi_218_ = 1f;
             } else {
-                phi_217_ = param_5.x;
+                phi_218_ = param_5.x;
             }
-            let _e69 = phi_217_;
-            phi_218_ = _e69;
+            let _e70 = phi_218_;
+            phi_219_ = _e70;
         }
-        let _e71 = phi_218_;
-        phi_219_ = _e71;
+        let _e72 = phi_219_;
+        phi_220_ = _e72;
     }
-    let _e73 = phi_219_;
+    let _e74 = phi_220_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_237_ = param_5.y;
+        phi_238_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_236_ = 0f;
+            phi_237_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_235_ = 1f;
+                phi_236_ = 1f;
             } else {
-                phi_235_ = param_5.y;
+                phi_236_ = param_5.y;
             }
-            let _e81 = phi_235_;
-            phi_236_ = _e81;
+            let _e82 = phi_236_;
+            phi_237_ = _e82;
         }
-        let _e83 = phi_236_;
-        phi_237_ = _e83;
+        let _e84 = phi_237_;
+        phi_238_ = _e84;
     }
-    let _e85 = phi_237_;
+    let _e86 = phi_238_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_255_ = param_5.z;
+        phi_256_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_254_ = 0f;
+            phi_255_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_253_ = 1f;
+                phi_254_ = 1f;
             } else {
-                phi_253_ = param_5.z;
+                phi_254_ = param_5.z;
             }
-            let _e93 = phi_253_;
-            phi_254_ = _e93;
+            let _e94 = phi_254_;
+            phi_255_ = _e94;
         }
-        let _e95 = phi_254_;
-        phi_255_ = _e95;
+        let _e96 = phi_255_;
+        phi_256_ = _e96;
     }
-    let _e97 = phi_255_;
+    let _e98 = phi_256_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_273_ = param_5.w;
+        phi_274_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_272_ = 0f;
+            phi_273_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_271_ = 1f;
+                phi_272_ = 1f;
             } else {
-                phi_271_ = param_5.w;
+                phi_272_ = param_5.w;
             }
-            let _e105 = phi_271_;
-            phi_272_ = _e105;
+            let _e106 = phi_272_;
+            phi_273_ = _e106;
         }
-        let _e107 = phi_272_;
-        phi_273_ = _e107;
+        let _e108 = phi_273_;
+        phi_274_ = _e108;
     }
-    let _e109 = phi_273_;
-    let _e110 = (_e73 - _e61);
-    let _e111 = (_e85 - _e61);
-    let _e112 = (_e97 - _e61);
-    let _e113 = (_e109 - _e61);
-    let _e124 = ((((_e110 * param_6.x) + (_e111 * param_6.y)) + (_e112 * param_6.z)) + (_e113 * param_6.w));
-    if ((bitcast<u32>(_e124) & 2147483647u) > 2139095040u) {
-        phi_830_ = _e124;
-        phi_831_ = f32();
-        phi_832_ = true;
+    let _e110 = phi_274_;
+    let _e111 = (_e74 - _e62);
+    let _e112 = (_e86 - _e62);
+    let _e113 = (_e98 - _e62);
+    let _e114 = (_e110 - _e62);
+    let _e125 = ((((_e111 * param_6.x) + (_e112 * param_6.y)) + (_e113 * param_6.z)) + (_e114 * param_6.w));
+    if ((bitcast<u32>(_e125) & 2147483647u) > 2139095040u) {
+        phi_831_ = _e125;
+        phi_832_ = f32();
+        phi_833_ = true;
     } else {
-        if (_e110 >= 0f) {
-            if (_e111 >= 0f) {
-                if (_e112 >= 0f) {
-                    phi_308_ = (_e113 >= 0f);
-                    phi_309_ = false;
+        if (_e111 >= 0f) {
+            if (_e112 >= 0f) {
+                if (_e113 >= 0f) {
+                    phi_309_ = (_e114 >= 0f);
+                    phi_310_ = false;
                 } else {
-                    phi_308_ = bool();
-                    phi_309_ = true;
+                    phi_309_ = bool();
+                    phi_310_ = true;
                 }
-                let _e133 = phi_308_;
-                let _e135 = phi_309_;
-                phi_310_ = _e133;
-                phi_311_ = _e135;
+                let _e134 = phi_309_;
+                let _e136 = phi_310_;
+                phi_311_ = _e134;
+                phi_312_ = _e136;
             } else {
-                phi_310_ = bool();
-                phi_311_ = true;
+                phi_311_ = bool();
+                phi_312_ = true;
             }
-            let _e137 = phi_310_;
-            let _e139 = phi_311_;
-            phi_312_ = _e137;
-            phi_313_ = _e139;
+            let _e138 = phi_311_;
+            let _e140 = phi_312_;
+            phi_313_ = _e138;
+            phi_314_ = _e140;
         } else {
-            phi_312_ = bool();
-            phi_313_ = true;
+            phi_313_ = bool();
+            phi_314_ = true;
         }
-        let _e141 = phi_312_;
-        let _e143 = phi_313_;
-        if _e143 {
-            phi_317_ = false;
+        let _e142 = phi_313_;
+        let _e144 = phi_314_;
+        if _e144 {
+            phi_318_ = false;
         } else {
-            phi_317_ = _e141;
+            phi_318_ = _e142;
         }
-        let _e145 = phi_317_;
-        if _e145 {
-            phi_827_ = 1f;
-            phi_828_ = f32();
-            phi_829_ = true;
+        let _e146 = phi_318_;
+        if _e146 {
+            phi_828_ = 1f;
+            phi_829_ = f32();
+            phi_830_ = true;
         } else {
-            let _e146 = (0.5f * _e49);
-            let _e147 = (1f - _e49);
-            let _e149 = (param_6.x * _e147);
-            let _e151 = (param_6.y * _e147);
-            let _e153 = (param_6.z * _e147);
-            let _e155 = (param_6.w * _e147);
-            let _e156 = -(_e61);
-            let _e157 = (1f - _e61);
-            let _e159 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e73);
-            let _e161 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e85);
-            let _e163 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e97);
-            let _e165 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e109);
-            let _e166 = (_e110 - _e111);
+            let _e147 = (0.5f * _e50);
+            let _e148 = (1f - _e50);
+            let _e150 = (param_6.x * _e148);
+            let _e152 = (param_6.y * _e148);
+            let _e154 = (param_6.z * _e148);
+            let _e156 = (param_6.w * _e148);
+            let _e157 = -(_e62);
+            let _e158 = (1f - _e62);
+            let _e160 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e74);
+            let _e162 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e86);
+            let _e164 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e98);
+            let _e166 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e110);
             let _e167 = (_e111 - _e112);
             let _e168 = (_e112 - _e113);
-            let _e169 = (_e113 - _e110);
-            let _e170 = (_e166 * _e166);
+            let _e169 = (_e113 - _e114);
+            let _e170 = (_e114 - _e111);
             let _e171 = (_e167 * _e167);
             let _e172 = (_e168 * _e168);
             let _e173 = (_e169 * _e169);
-            let _e174 = (_e110 - _e112);
+            let _e174 = (_e170 * _e170);
             let _e175 = (_e111 - _e113);
-            let _e176 = (_e112 - _e110);
+            let _e176 = (_e112 - _e114);
             let _e177 = (_e113 - _e111);
-            let _e178 = (_e174 * _e174);
+            let _e178 = (_e114 - _e112);
             let _e179 = (_e175 * _e175);
             let _e180 = (_e176 * _e176);
             let _e181 = (_e177 * _e177);
-            let _e186 = ((_e149 * _e151) * _e170);
-            let _e187 = ((_e151 * _e153) * _e171);
-            let _e188 = ((_e153 * _e155) * _e172);
-            let _e189 = ((_e155 * _e149) * _e173);
-            let _e198 = (((0.5f * _e149) * _e153) * _e178);
-            let _e199 = (((0.5f * _e151) * _e155) * _e179);
-            let _e200 = (((0.5f * _e153) * _e149) * _e180);
-            let _e201 = (((0.5f * _e155) * _e151) * _e181);
-            let _e202 = (_e110 * _e111);
+            let _e182 = (_e178 * _e178);
+            let _e187 = ((_e150 * _e152) * _e171);
+            let _e188 = ((_e152 * _e154) * _e172);
+            let _e189 = ((_e154 * _e156) * _e173);
+            let _e190 = ((_e156 * _e150) * _e174);
+            let _e199 = (((0.5f * _e150) * _e154) * _e179);
+            let _e200 = (((0.5f * _e152) * _e156) * _e180);
+            let _e201 = (((0.5f * _e154) * _e150) * _e181);
+            let _e202 = (((0.5f * _e156) * _e152) * _e182);
             let _e203 = (_e111 * _e112);
             let _e204 = (_e112 * _e113);
-            let _e205 = (_e113 * _e110);
-            let _e206 = (_e110 * _e112);
+            let _e205 = (_e113 * _e114);
+            let _e206 = (_e114 * _e111);
             let _e207 = (_e111 * _e113);
-            let _e208 = (_e112 * _e110);
+            let _e208 = (_e112 * _e114);
             let _e209 = (_e113 * _e111);
-            let _e210 = (_e186 * _e202);
+            let _e210 = (_e114 * _e112);
             let _e211 = (_e187 * _e203);
             let _e212 = (_e188 * _e204);
             let _e213 = (_e189 * _e205);
-            let _e214 = (_e198 * _e206);
+            let _e214 = (_e190 * _e206);
             let _e215 = (_e199 * _e207);
             let _e216 = (_e200 * _e208);
             let _e217 = (_e201 * _e209);
-            let _e218 = (_e73 * _e73);
-            let _e219 = (_e85 * _e85);
-            let _e220 = (_e97 * _e97);
-            let _e221 = (_e109 * _e109);
-            let _e222 = (_e159 * _e159);
-            let _e223 = (_e161 * _e161);
-            let _e224 = (_e163 * _e163);
-            let _e225 = (_e165 * _e165);
-            let _e226 = (_e146 * _e149);
-            let _e227 = (_e146 * _e151);
-            let _e228 = (_e146 * _e153);
-            let _e229 = (_e146 * _e155);
-            let _e238 = (((_e226 * _e110) * _e218) * _e156);
-            let _e239 = (((_e227 * _e111) * _e219) * _e156);
-            let _e240 = (((_e228 * _e112) * _e220) * _e156);
-            let _e241 = (((_e229 * _e113) * _e221) * _e156);
-            let _e250 = (((_e226 * _e110) * _e222) * _e157);
-            let _e251 = (((_e227 * _e111) * _e223) * _e157);
-            let _e252 = (((_e228 * _e112) * _e224) * _e157);
-            let _e253 = (((_e229 * _e113) * _e225) * _e157);
-            let _e421 = (((((((_e186 * _e153) * _e171) * _e178) + (_e146 * (((_e186 * ((_e218 * _e219) + (_e222 * _e223))) + (_e198 * ((_e218 * _e220) + (_e222 * _e224)))) + ((_e226 * _e218) * _e222)))) + ((((_e187 * _e155) * _e172) * _e179) + (_e146 * (((_e187 * ((_e219 * _e220) + (_e223 * _e224))) + (_e199 * ((_e219 * _e221) + (_e223 * _e225)))) + ((_e227 * _e219) * _e223))))) + ((((_e188 * _e149) * _e173) * _e180) + (_e146 * (((_e188 * ((_e220 * _e221) + (_e224 * _e225))) + (_e200 * ((_e220 * _e218) + (_e224 * _e222)))) + ((_e228 * _e220) * _e224))))) + ((((_e189 * _e151) * _e170) * _e181) + (_e146 * (((_e189 * ((_e221 * _e218) + (_e225 * _e222))) + (_e201 * ((_e221 * _e219) + (_e225 * _e223)))) + ((_e229 * _e221) * _e225)))));
-            let _e424 = (((_e146 * _e146) * _e156) * _e157);
-            let _e427 = (((((((_e210 * _e202) + (_e214 * _e206)) + (_e110 * ((_e238 * _e156) + (_e250 * _e157)))) + (((_e211 * _e203) + (_e215 * _e207)) + (_e111 * ((_e239 * _e156) + (_e251 * _e157))))) + (((_e212 * _e204) + (_e216 * _e208)) + (_e112 * ((_e240 * _e156) + (_e252 * _e157))))) + (((_e213 * _e205) + (_e217 * _e209)) + (_e113 * ((_e241 * _e156) + (_e253 * _e157))))) + ((_e424 * _e156) * _e157));
-            let _e433 = (_e427 < 0.0000000000000000000000000000000001f);
-            if _e433 {
-                if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-                    phi_630_ = _e110;
-                } else {
-                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_629_ = 0f;
-                    } else {
-                        if (_e110 < 0f) {
-                            phi_628_ = 0f;
-                        } else {
-                            phi_628_ = 1f;
-                        }
-                        let _e442 = phi_628_;
-                        phi_629_ = _e442;
-                    }
-                    let _e444 = phi_629_;
-                    phi_630_ = _e444;
-                }
-                let _e446 = phi_630_;
+            let _e218 = (_e202 * _e210);
+            let _e219 = (_e74 * _e74);
+            let _e220 = (_e86 * _e86);
+            let _e221 = (_e98 * _e98);
+            let _e222 = (_e110 * _e110);
+            let _e223 = (_e160 * _e160);
+            let _e224 = (_e162 * _e162);
+            let _e225 = (_e164 * _e164);
+            let _e226 = (_e166 * _e166);
+            let _e227 = (_e147 * _e150);
+            let _e228 = (_e147 * _e152);
+            let _e229 = (_e147 * _e154);
+            let _e230 = (_e147 * _e156);
+            let _e239 = (((_e227 * _e111) * _e219) * _e157);
+            let _e240 = (((_e228 * _e112) * _e220) * _e157);
+            let _e241 = (((_e229 * _e113) * _e221) * _e157);
+            let _e242 = (((_e230 * _e114) * _e222) * _e157);
+            let _e251 = (((_e227 * _e111) * _e223) * _e158);
+            let _e252 = (((_e228 * _e112) * _e224) * _e158);
+            let _e253 = (((_e229 * _e113) * _e225) * _e158);
+            let _e254 = (((_e230 * _e114) * _e226) * _e158);
+            let _e422 = (((((((_e187 * _e154) * _e172) * _e179) + (_e147 * (((_e187 * ((_e219 * _e220) + (_e223 * _e224))) + (_e199 * ((_e219 * _e221) + (_e223 * _e225)))) + ((_e227 * _e219) * _e223)))) + ((((_e188 * _e156) * _e173) * _e180) + (_e147 * (((_e188 * ((_e220 * _e221) + (_e224 * _e225))) + (_e200 * ((_e220 * _e222) + (_e224 * _e226)))) + ((_e228 * _e220) * _e224))))) + ((((_e189 * _e150) * _e174) * _e181) + (_e147 * (((_e189 * ((_e221 * _e222) + (_e225 * _e226))) + (_e201 * ((_e221 * _e219) + (_e225 * _e223)))) + ((_e229 * _e221) * _e225))))) + ((((_e190 * _e152) * _e171) * _e182) + (_e147 * (((_e190 * ((_e222 * _e219) + (_e226 * _e223))) + (_e202 * ((_e222 * _e220) + (_e226 * _e224)))) + ((_e230 * _e222) * _e226)))));
+            let _e425 = (((_e147 * _e147) * _e157) * _e158);
+            let _e428 = (((((((_e211 * _e203) + (_e215 * _e207)) + (_e111 * ((_e239 * _e157) + (_e251 * _e158)))) + (((_e212 * _e204) + (_e216 * _e208)) + (_e112 * ((_e240 * _e157) + (_e252 * _e158))))) + (((_e213 * _e205) + (_e217 * _e209)) + (_e113 * ((_e241 * _e157) + (_e253 * _e158))))) + (((_e214 * _e206) + (_e218 * _e210)) + (_e114 * ((_e242 * _e157) + (_e254 * _e158))))) + ((_e425 * _e157) * _e158));
+            let _e434 = (_e428 < 0.0000000000000000000000000000000001f);
+            if _e434 {
                 if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
-                    phi_649_ = _e111;
+                    phi_631_ = _e111;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_648_ = 0f;
+                        phi_630_ = 0f;
                     } else {
                         if (_e111 < 0f) {
-                            phi_647_ = 0f;
+                            phi_629_ = 0f;
                         } else {
-                            phi_647_ = 1f;
+                            phi_629_ = 1f;
                         }
-                        let _e455 = phi_647_;
-                        phi_648_ = _e455;
+                        let _e443 = phi_629_;
+                        phi_630_ = _e443;
                     }
-                    let _e457 = phi_648_;
-                    phi_649_ = _e457;
+                    let _e445 = phi_630_;
+                    phi_631_ = _e445;
                 }
-                let _e459 = phi_649_;
+                let _e447 = phi_631_;
                 if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
-                    phi_668_ = _e112;
+                    phi_650_ = _e112;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_667_ = 0f;
+                        phi_649_ = 0f;
                     } else {
                         if (_e112 < 0f) {
-                            phi_666_ = 0f;
+                            phi_648_ = 0f;
                         } else {
-                            phi_666_ = 1f;
+                            phi_648_ = 1f;
                         }
-                        let _e468 = phi_666_;
-                        phi_667_ = _e468;
+                        let _e456 = phi_648_;
+                        phi_649_ = _e456;
                     }
-                    let _e470 = phi_667_;
-                    phi_668_ = _e470;
+                    let _e458 = phi_649_;
+                    phi_650_ = _e458;
                 }
-                let _e472 = phi_668_;
+                let _e460 = phi_650_;
                 if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
-                    phi_687_ = _e113;
+                    phi_669_ = _e113;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_686_ = 0f;
+                        phi_668_ = 0f;
                     } else {
                         if (_e113 < 0f) {
-                            phi_685_ = 0f;
+                            phi_667_ = 0f;
                         } else {
-                            phi_685_ = 1f;
+                            phi_667_ = 1f;
                         }
-                        let _e481 = phi_685_;
-                        phi_686_ = _e481;
+                        let _e469 = phi_667_;
+                        phi_668_ = _e469;
                     }
-                    let _e483 = phi_686_;
-                    phi_687_ = _e483;
+                    let _e471 = phi_668_;
+                    phi_669_ = _e471;
                 }
-                let _e485 = phi_687_;
-                let _e493 = (((((_e446 * _e149) + (_e459 * _e151)) + (_e472 * _e153)) + (_e485 * _e155)) + _e146);
-                if ((bitcast<u32>(_e493) & 2147483647u) > 2139095040u) {
-                    phi_712_ = _e493;
+                let _e473 = phi_669_;
+                if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
+                    phi_688_ = _e114;
                 } else {
-                    if (_e493 < 0f) {
-                        phi_711_ = 0f;
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_687_ = 0f;
                     } else {
-                        if (_e493 > 1f) {
-                            phi_710_ = 1f;
+                        if (_e114 < 0f) {
+                            phi_686_ = 0f;
                         } else {
-                            phi_710_ = _e493;
+                            phi_686_ = 1f;
                         }
-                        let _e500 = phi_710_;
-                        phi_711_ = _e500;
+                        let _e482 = phi_686_;
+                        phi_687_ = _e482;
                     }
-                    let _e502 = phi_711_;
-                    phi_712_ = _e502;
+                    let _e484 = phi_687_;
+                    phi_688_ = _e484;
                 }
-                let _e504 = phi_712_;
-                phi_825_ = _e504;
-                phi_826_ = f32();
+                let _e486 = phi_688_;
+                let _e494 = (((((_e447 * _e150) + (_e460 * _e152)) + (_e473 * _e154)) + (_e486 * _e156)) + _e147);
+                if ((bitcast<u32>(_e494) & 2147483647u) > 2139095040u) {
+                    phi_713_ = _e494;
+                } else {
+                    if (_e494 < 0f) {
+                        phi_712_ = 0f;
+                    } else {
+                        if (_e494 > 1f) {
+                            phi_711_ = 1f;
+                        } else {
+                            phi_711_ = _e494;
+                        }
+                        let _e501 = phi_711_;
+                        phi_712_ = _e501;
+                    }
+                    let _e503 = phi_712_;
+                    phi_713_ = _e503;
+                }
+                let _e505 = phi_713_;
+                phi_826_ = _e505;
+                phi_827_ = f32();
             } else {
-                let _e506 = ((0.5f * -(((((((((_e210 * (_e110 + _e111)) + (_e214 * (_e110 + _e112))) + (_e238 * (_e110 + _e156))) + (_e250 * (_e110 + _e157))) + ((((_e211 * (_e111 + _e112)) + (_e215 * (_e111 + _e113))) + (_e239 * (_e111 + _e156))) + (_e251 * (_e111 + _e157)))) + ((((_e212 * (_e112 + _e113)) + (_e216 * (_e112 + _e110))) + (_e240 * (_e112 + _e156))) + (_e252 * (_e112 + _e157)))) + ((((_e213 * (_e113 + _e110)) + (_e217 * (_e113 + _e111))) + (_e241 * (_e113 + _e156))) + (_e253 * (_e113 + _e157)))) + (_e424 * (_e156 + _e157))))) / _e427);
-                let _e507 = ((((((((_e210 + _e214) + _e238) + _e250) + (((_e211 + _e215) + _e239) + _e251)) + (((_e212 + _e216) + _e240) + _e252)) + (((_e213 + _e217) + _e241) + _e253)) + _e424) / _e427);
-                let _e509 = ((_e506 * _e506) - _e507);
-                if (_e509 > 0f) {
-                    phi_723_ = sqrt(_e509);
+                let _e507 = ((0.5f * -(((((((((_e211 * (_e111 + _e112)) + (_e215 * (_e111 + _e113))) + (_e239 * (_e111 + _e157))) + (_e251 * (_e111 + _e158))) + ((((_e212 * (_e112 + _e113)) + (_e216 * (_e112 + _e114))) + (_e240 * (_e112 + _e157))) + (_e252 * (_e112 + _e158)))) + ((((_e213 * (_e113 + _e114)) + (_e217 * (_e113 + _e111))) + (_e241 * (_e113 + _e157))) + (_e253 * (_e113 + _e158)))) + ((((_e214 * (_e114 + _e111)) + (_e218 * (_e114 + _e112))) + (_e242 * (_e114 + _e157))) + (_e254 * (_e114 + _e158)))) + (_e425 * (_e157 + _e158))))) / _e428);
+                let _e508 = ((((((((_e211 + _e215) + _e239) + _e251) + (((_e212 + _e216) + _e240) + _e252)) + (((_e213 + _e217) + _e241) + _e253)) + (((_e214 + _e218) + _e242) + _e254)) + _e425) / _e428);
+                let _e510 = ((_e507 * _e507) - _e508);
+                if (_e510 > 0f) {
+                    phi_724_ = sqrt(_e510);
                 } else {
-                    phi_723_ = 0f;
+                    phi_724_ = 0f;
                 }
-                let _e513 = phi_723_;
-                if (_e506 > 0f) {
-                    let _e516 = (-(_e506) - _e513);
-                    phi_740_ = lt_bvh_slab_Span(_e516, (_e507 / _e516));
+                let _e514 = phi_724_;
+                if (_e507 > 0f) {
+                    let _e517 = (-(_e507) - _e514);
+                    phi_741_ = lt_bvh_slab_Span(_e517, (_e508 / _e517));
                 } else {
-                    let _e519 = (_e513 - _e506);
-                    if (_e519 > 0f) {
-                        phi_738_ = (_e507 / _e519);
+                    let _e520 = (_e514 - _e507);
+                    if (_e520 > 0f) {
+                        phi_739_ = (_e508 / _e520);
                     } else {
-                        phi_738_ = 0f;
+                        phi_739_ = 0f;
                     }
-                    let _e523 = phi_738_;
-                    phi_740_ = lt_bvh_slab_Span(_e523, _e519);
+                    let _e524 = phi_739_;
+                    phi_741_ = lt_bvh_slab_Span(_e524, _e520);
                 }
-                let _e526 = phi_740_;
-                if (_e526.near >= 0f) {
-                    phi_801_ = 1f;
-                    phi_802_ = f32();
-                    phi_803_ = true;
+                let _e527 = phi_741_;
+                if (_e527.near >= 0f) {
+                    phi_802_ = 1f;
+                    phi_803_ = f32();
+                    phi_804_ = true;
                 } else {
-                    let _e530 = (_e526.far <= 0f);
-                    if _e530 {
-                        phi_799_ = (_e421 / _e427);
+                    let _e531 = (_e527.far <= 0f);
+                    if _e531 {
+                        phi_800_ = (_e422 / _e428);
+                        phi_801_ = f32();
+                    } else {
+                        let _e542 = (((((_e150 * _e111) + (_e152 * _e112)) + (_e154 * _e113)) + (_e156 * _e114)) + (_e147 * (_e157 + _e158)));
+                        let _e558 = (((((_e150 * (_e111 * _e111)) + (_e152 * (_e112 * _e112))) + (_e154 * (_e113 * _e113))) + (_e156 * (_e114 * _e114))) + (_e147 * ((_e157 * _e157) + (_e158 * _e158))));
+                        if (-(_e527.near) <= _e527.far) {
+                            phi_799_ = (1f - (((_e527.near * _e527.near) * ((_e527.far * _e558) - _e542)) / (_e527.far - _e527.near)));
+                        } else {
+                            phi_799_ = ((_e422 / _e428) + (((_e527.far * _e527.far) * (_e542 - (_e527.near * _e558))) / (_e527.far - _e527.near)));
+                        }
+                        let _e577 = phi_799_;
                         phi_800_ = f32();
-                    } else {
-                        let _e541 = (((((_e149 * _e110) + (_e151 * _e111)) + (_e153 * _e112)) + (_e155 * _e113)) + (_e146 * (_e156 + _e157)));
-                        let _e557 = (((((_e149 * (_e110 * _e110)) + (_e151 * (_e111 * _e111))) + (_e153 * (_e112 * _e112))) + (_e155 * (_e113 * _e113))) + (_e146 * ((_e156 * _e156) + (_e157 * _e157))));
-                        if (-(_e526.near) <= _e526.far) {
-                            phi_798_ = (1f - (((_e526.near * _e526.near) * ((_e526.far * _e557) - _e541)) / (_e526.far - _e526.near)));
-                        } else {
-                            phi_798_ = ((_e421 / _e427) + (((_e526.far * _e526.far) * (_e541 - (_e526.near * _e557))) / (_e526.far - _e526.near)));
-                        }
-                        let _e576 = phi_798_;
-                        phi_799_ = f32();
-                        phi_800_ = _e576;
+                        phi_801_ = _e577;
                     }
-                    let _e578 = phi_799_;
-                    let _e580 = phi_800_;
-                    phi_801_ = _e578;
-                    phi_802_ = _e580;
-                    phi_803_ = _e530;
+                    let _e579 = phi_800_;
+                    let _e581 = phi_801_;
+                    phi_802_ = _e579;
+                    phi_803_ = _e581;
+                    phi_804_ = _e531;
                 }
-                let _e582 = phi_801_;
-                let _e584 = phi_802_;
-                let _e586 = phi_803_;
-                if _e586 {
-                    phi_807_ = _e582;
+                let _e583 = phi_802_;
+                let _e585 = phi_803_;
+                let _e587 = phi_804_;
+                if _e587 {
+                    phi_808_ = _e583;
                 } else {
-                    phi_807_ = _e584;
+                    phi_808_ = _e585;
                 }
-                let _e588 = phi_807_;
-                if ((bitcast<u32>(_e588) & 2147483647u) > 2139095040u) {
-                    phi_824_ = _e588;
+                let _e589 = phi_808_;
+                if ((bitcast<u32>(_e589) & 2147483647u) > 2139095040u) {
+                    phi_825_ = _e589;
                 } else {
-                    if (_e588 < 0f) {
-                        phi_823_ = 0f;
+                    if (_e589 < 0f) {
+                        phi_824_ = 0f;
                     } else {
-                        if (_e588 > 1f) {
-                            phi_822_ = 1f;
+                        if (_e589 > 1f) {
+                            phi_823_ = 1f;
                         } else {
-                            phi_822_ = _e588;
+                            phi_823_ = _e589;
                         }
-                        let _e595 = phi_822_;
-                        phi_823_ = _e595;
+                        let _e596 = phi_823_;
+                        phi_824_ = _e596;
                     }
-                    let _e597 = phi_823_;
-                    phi_824_ = _e597;
+                    let _e598 = phi_824_;
+                    phi_825_ = _e598;
                 }
-                let _e599 = phi_824_;
-                phi_825_ = f32();
-                phi_826_ = _e599;
+                let _e600 = phi_825_;
+                phi_826_ = f32();
+                phi_827_ = _e600;
             }
-            let _e601 = phi_825_;
-            let _e603 = phi_826_;
-            phi_827_ = _e601;
-            phi_828_ = _e603;
-            phi_829_ = _e433;
+            let _e602 = phi_826_;
+            let _e604 = phi_827_;
+            phi_828_ = _e602;
+            phi_829_ = _e604;
+            phi_830_ = _e434;
         }
-        let _e605 = phi_827_;
-        let _e607 = phi_828_;
-        let _e609 = phi_829_;
-        phi_830_ = _e605;
-        phi_831_ = _e607;
-        phi_832_ = _e609;
+        let _e606 = phi_828_;
+        let _e608 = phi_829_;
+        let _e610 = phi_830_;
+        phi_831_ = _e606;
+        phi_832_ = _e608;
+        phi_833_ = _e610;
     }
-    let _e611 = phi_830_;
-    let _e613 = phi_831_;
-    let _e615 = phi_832_;
-    if _e615 {
-        phi_836_ = _e611;
+    let _e612 = phi_831_;
+    let _e614 = phi_832_;
+    let _e616 = phi_833_;
+    if _e616 {
+        phi_837_ = _e612;
     } else {
-        phi_836_ = _e613;
+        phi_837_ = _e614;
     }
-    let _e617 = phi_836_;
-    return _e617;
+    let _e618 = phi_837_;
+    return _e618;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_891_: bool;
     var phi_892_: bool;
     var phi_893_: bool;
     var phi_894_: bool;
-    var phi_898_: bool;
-    var phi_968_: bool;
+    var phi_895_: bool;
+    var phi_899_: bool;
     var phi_969_: bool;
-    var phi_980_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_981_: bool;
-    var phi_982_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_983_: bool;
-    var phi_990_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_994_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1014_: lt_math_LightPoint;
-    var phi_1017_: u32;
-    var phi_1019_: lt_math_LevelPoint;
-    var phi_1105_: bool;
-    var phi_1114_: bool;
-    var phi_1123_: bool;
+    var phi_970_: bool;
+    var phi_981_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_982_: bool;
+    var phi_983_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_984_: bool;
+    var phi_991_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_995_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1015_: lt_math_LightPoint;
+    var phi_1018_: u32;
+    var phi_1020_: lt_math_LevelPoint;
+    var phi_1106_: bool;
+    var phi_1115_: bool;
     var phi_1124_: bool;
     var phi_1125_: bool;
     var phi_1126_: bool;
     var phi_1127_: bool;
     var phi_1128_: bool;
     var phi_1129_: bool;
-    var phi_1133_: bool;
-    var phi_1160_: bool;
+    var phi_1130_: bool;
+    var phi_1134_: bool;
     var phi_1161_: bool;
     var phi_1162_: bool;
     var phi_1163_: bool;
@@ -659,643 +658,645 @@ fn function_() {
     var phi_1165_: bool;
     var phi_1166_: bool;
     var phi_1167_: bool;
-    var phi_1171_: bool;
-    var phi_1180_: lt_math_LightPoint;
-    var phi_1181_: u32;
-    var phi_1182_: lt_math_LevelPoint;
-    var phi_1183_: bool;
-    var phi_1015_: lt_math_LightPoint;
-    var phi_1018_: u32;
-    var phi_1020_: lt_math_LevelPoint;
+    var phi_1168_: bool;
+    var phi_1172_: bool;
+    var phi_1181_: lt_math_LightPoint;
+    var phi_1182_: u32;
+    var phi_1183_: lt_math_LevelPoint;
     var phi_1184_: bool;
+    var phi_1016_: lt_math_LightPoint;
+    var phi_1019_: u32;
+    var phi_1021_: lt_math_LevelPoint;
+    var phi_1185_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_1224_: bool;
     var phi_1225_: bool;
     var phi_1226_: bool;
     var phi_1227_: bool;
-    var phi_1231_: bool;
-    var phi_1313_: f32;
-    var phi_1429_: f32;
-    var phi_1430_: f32;
+    var phi_1228_: bool;
+    var phi_1232_: bool;
+    var phi_1314_: f32;
+    var phi_1432_: f32;
     var phi_1433_: f32;
-    var phi_1462_: f32;
-    var phi_1467_: f32;
-    var phi_1468_: bool;
-    var phi_1469_: f32;
-    var phi_1470_: bool;
-    var phi_1474_: f32;
-    var phi_1494_: f32;
-    var phi_1499_: f32;
-    var phi_1500_: bool;
-    var phi_1501_: f32;
-    var phi_1502_: bool;
-    var phi_1506_: f32;
+    var phi_1436_: f32;
+    var phi_1465_: f32;
+    var phi_1470_: f32;
+    var phi_1471_: bool;
+    var phi_1472_: f32;
+    var phi_1473_: bool;
+    var phi_1477_: f32;
+    var phi_1497_: f32;
+    var phi_1502_: f32;
+    var phi_1503_: bool;
+    var phi_1504_: f32;
+    var phi_1505_: bool;
+    var phi_1509_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1555_: i32;
-    var phi_1560_: i32;
-    var phi_1565_: i32;
-    var phi_1570_: i32;
-    var phi_1579_: i32;
-    var phi_1584_: i32;
-    var phi_1589_: i32;
-    var phi_1594_: i32;
-    var phi_1645_: bool;
-    var phi_1653_: bool;
-    var phi_1665_: bool;
-    var phi_1666_: bool;
-    var phi_1670_: f32;
-    var phi_1676_: f32;
-    var phi_1678_: evaluate_Verdict;
-    var phi_1683_: evaluate_Verdict;
-    var phi_1684_: evaluate_Verdict;
-    var phi_1688_: bool;
-    var phi_1689_: u32;
-    var phi_1700_: u32;
+    var phi_1558_: i32;
+    var phi_1563_: i32;
+    var phi_1568_: i32;
+    var phi_1573_: i32;
+    var phi_1582_: i32;
+    var phi_1587_: i32;
+    var phi_1592_: i32;
+    var phi_1597_: i32;
+    var phi_1648_: bool;
+    var phi_1656_: bool;
+    var phi_1668_: bool;
+    var phi_1669_: bool;
+    var phi_1673_: f32;
+    var phi_1679_: f32;
+    var phi_1681_: evaluate_Verdict;
+    var phi_1686_: evaluate_Verdict;
+    var phi_1687_: evaluate_Verdict;
+    var phi_1691_: bool;
+    var phi_1692_: u32;
+    var phi_1703_: u32;
 
-    let _e46 = id_1;
-    let _e47 = local_5;
-    let _e52 = arrayLength((&map.member));
-    let _e57 = arrayLength((&levels.member));
-    let _e60 = p.member.size[0u];
-    let _e62 = p.member.size[1u];
-    let _e63 = lt_shaders_entry_pixel_index(_e46, _e60, _e62);
-    if (bitcast<i32>(_e63.root) != 0i) {
-        let _e70 = p.member.level_count;
-        let _e74 = samples.member[_e63.first_primitive].normal[0u];
-        let _e76 = global[0u];
-        if (_e74 == _e76) {
-            let _e79 = samples.member[_e63.first_primitive].normal[1u];
-            let _e81 = global[1u];
-            if (_e79 == _e81) {
-                let _e84 = samples.member[_e63.first_primitive].normal[2u];
-                let _e86 = global[2u];
-                phi_891_ = (_e84 == _e86);
-                phi_892_ = false;
+    let _e47 = id_1;
+    let _e48 = local_5;
+    let _e53 = arrayLength((&map.member));
+    let _e58 = arrayLength((&levels.member));
+    let _e61 = p.member.size[0u];
+    let _e63 = p.member.size[1u];
+    let _e64 = lt_shaders_entry_pixel_index(_e47, _e61, _e63);
+    if (bitcast<i32>(_e64.root) != 0i) {
+        let _e71 = p.member.level_count;
+        let _e75 = samples.member[_e64.first_primitive].normal[0u];
+        let _e77 = global[0u];
+        if (_e75 == _e77) {
+            let _e80 = samples.member[_e64.first_primitive].normal[1u];
+            let _e82 = global[1u];
+            if (_e80 == _e82) {
+                let _e85 = samples.member[_e64.first_primitive].normal[2u];
+                let _e87 = global[2u];
+                phi_892_ = (_e85 == _e87);
+                phi_893_ = false;
             } else {
-                phi_891_ = bool();
-                phi_892_ = true;
+                phi_892_ = bool();
+                phi_893_ = true;
             }
-            let _e89 = phi_891_;
-            let _e91 = phi_892_;
-            phi_893_ = _e89;
-            phi_894_ = _e91;
+            let _e90 = phi_892_;
+            let _e92 = phi_893_;
+            phi_894_ = _e90;
+            phi_895_ = _e92;
         } else {
-            phi_893_ = bool();
-            phi_894_ = true;
+            phi_894_ = bool();
+            phi_895_ = true;
         }
-        let _e93 = phi_893_;
-        let _e95 = phi_894_;
-        if _e95 {
-            phi_898_ = false;
+        let _e94 = phi_894_;
+        let _e96 = phi_895_;
+        if _e96 {
+            phi_899_ = false;
         } else {
-            phi_898_ = _e93;
+            phi_899_ = _e94;
         }
-        let _e97 = phi_898_;
-        if !(_e97) {
-            let _e100 = samples.member[_e63.first_primitive].position;
-            let _e102 = p.member.light.place;
-            let _e108 = p.member.light.place[3u];
-            let _e115 = (_e102.x - (_e100.x * _e108));
-            let _e116 = (_e102.y - (_e100.y * _e108));
-            let _e117 = (_e102.z - (_e100.z * _e108));
-            let _e119 = samples.member[_e63.first_primitive].normal;
-            if ((((_e119.x * _e115) + (_e119.y * _e116)) + (_e119.z * _e117)) > 0f) {
-                let _e133 = (((_e115 * _e115) + (_e116 * _e116)) + (_e117 * _e117));
-                let _e135 = p.member.light.axis;
-                let _e147 = p.member.light.place[3u];
-                if (_e147 == 0f) {
-                    phi_969_ = true;
+        let _e98 = phi_899_;
+        if !(_e98) {
+            let _e101 = samples.member[_e64.first_primitive].position;
+            let _e103 = p.member.light.place;
+            let _e109 = p.member.light.place[3u];
+            let _e116 = (_e103.x - (_e101.x * _e109));
+            let _e117 = (_e103.y - (_e101.y * _e109));
+            let _e118 = (_e103.z - (_e101.z * _e109));
+            let _e120 = samples.member[_e64.first_primitive].normal;
+            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
+                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
+                let _e136 = p.member.light.axis;
+                let _e148 = p.member.light.place[3u];
+                if (_e148 == 0f) {
+                    phi_970_ = true;
                 } else {
-                    let _e150 = p.member.light.range_squared;
-                    if (_e133 <= _e150) {
-                        let _e153 = p.member.light.cos_outer;
-                        phi_968_ = (-((((_e115 * _e135.x) + (_e116 * _e135.y)) + (_e117 * _e135.z))) >= (_e153 * sqrt(_e133)));
+                    let _e151 = p.member.light.range_squared;
+                    if (_e134 <= _e151) {
+                        let _e154 = p.member.light.cos_outer;
+                        phi_969_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
                     } else {
-                        phi_968_ = false;
+                        phi_969_ = false;
                     }
-                    let _e158 = phi_968_;
-                    phi_969_ = _e158;
+                    let _e159 = phi_969_;
+                    phi_970_ = _e159;
                 }
-                let _e160 = phi_969_;
-                if _e160 {
-                    let _e162 = samples.member[_e63.first_primitive].flags;
-                    let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
-                    phi_980_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, ((_e162 & 1u) == 0u));
-                    phi_981_ = false;
+                let _e161 = phi_970_;
+                if _e161 {
+                    let _e163 = samples.member[_e64.first_primitive].flags;
+                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
+                    phi_981_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
+                    phi_982_ = false;
                 } else {
-                    phi_980_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_981_ = true;
+                    phi_981_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_982_ = true;
                 }
-                let _e181 = phi_980_;
-                let _e183 = phi_981_;
-                phi_982_ = _e181;
-                phi_983_ = _e183;
+                let _e182 = phi_981_;
+                let _e184 = phi_982_;
+                phi_983_ = _e182;
+                phi_984_ = _e184;
             } else {
-                phi_982_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_983_ = true;
+                phi_983_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_984_ = true;
             }
-            let _e185 = phi_982_;
-            let _e187 = phi_983_;
-            if _e187 {
-                let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
-                phi_990_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, true);
+            let _e186 = phi_983_;
+            let _e188 = phi_984_;
+            if _e188 {
+                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
+                phi_991_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
             } else {
-                phi_990_ = _e185;
+                phi_991_ = _e186;
             }
-            let _e204 = phi_990_;
-            phi_994_ = _e204;
+            let _e205 = phi_991_;
+            phi_995_ = _e205;
         } else {
-            let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
-            phi_994_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
+            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
+            phi_995_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
         }
-        let _e221 = phi_994_;
-        if _e221.unnamed_1 {
-            phi_1684_ = evaluate_Verdict(_e221.unnamed.visibility, _e221.unnamed.is_doubted);
+        let _e222 = phi_995_;
+        if _e222.unnamed_1 {
+            phi_1687_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
         } else {
-            let _e229 = samples.member[_e63.first_primitive].position;
-            let _e231 = p.member.map_size;
-            let _e233 = (0.5f / f32(_e231));
-            let _e240 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e247 = lt_math_LightPoint(vec2<f32>(_e240.uv.x, 0f), _e240.depth, _e240.is_inside);
-            let _e251 = lt_math_LightPoint(_e247.uv, 0f, _e247.is_inside);
-            phi_1014_ = lt_math_LightPoint();
-            phi_1017_ = 0u;
-            phi_1019_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e251.uv, _e251.depth, false));
+            let _e230 = samples.member[_e64.first_primitive].position;
+            let _e232 = p.member.map_size;
+            let _e234 = (0.5f / f32(_e232));
+            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
+            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
+            phi_1015_ = lt_math_LightPoint();
+            phi_1018_ = 0u;
+            phi_1020_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
             loop {
-                let _e258 = phi_1014_;
-                let _e260 = phi_1017_;
-                let _e262 = phi_1019_;
-                local_2 = _e262;
-                local_3 = _e262;
-                local_4 = _e262;
-                if (_e260 < _e70) {
-                    if _e262.point.is_inside {
-                        phi_1180_ = lt_math_LightPoint();
-                        phi_1181_ = u32();
-                        phi_1182_ = lt_math_LevelPoint();
-                        phi_1183_ = false;
+                let _e259 = phi_1015_;
+                let _e261 = phi_1018_;
+                let _e263 = phi_1020_;
+                local_2 = _e263;
+                local_3 = _e263;
+                local_4 = _e263;
+                if (_e261 < _e71) {
+                    if _e263.point.is_inside {
+                        phi_1181_ = lt_math_LightPoint();
+                        phi_1182_ = u32();
+                        phi_1183_ = lt_math_LevelPoint();
+                        phi_1184_ = false;
                     } else {
-                        if (_e260 < _e57) {
+                        if (_e261 < _e58) {
                         } else {
                             return;
                         }
-                        let _e273 = levels.member[(0u + _e260)].row_w;
-                        let _e284 = ((((_e273.x * _e229.x) + (_e273.y * _e229.y)) + (_e273.z * _e229.z)) + (_e273.w * 1f));
-                        let _e286 = levels.member[(0u + _e260)].row_x;
-                        let _e298 = (((((_e286.x * _e229.x) + (_e286.y * _e229.y)) + (_e286.z * _e229.z)) + (_e286.w * 1f)) / _e284);
-                        let _e300 = levels.member[(0u + _e260)].row_y;
-                        let _e312 = (((((_e300.x * _e229.x) + (_e300.y * _e229.y)) + (_e300.z * _e229.z)) + (_e300.w * 1f)) / _e284);
-                        let _e314 = levels.member[(0u + _e260)].row_z;
-                        let _e325 = ((((_e314.x * _e229.x) + (_e314.y * _e229.y)) + (_e314.z * _e229.z)) + (_e314.w * 1f));
-                        if (_e284 > 0f) {
-                            if (_e298 >= 0f) {
-                                phi_1105_ = (_e298 <= 1f);
+                        let _e274 = levels.member[(0u + _e261)].row_w;
+                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
+                        let _e287 = levels.member[(0u + _e261)].row_x;
+                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
+                        let _e301 = levels.member[(0u + _e261)].row_y;
+                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
+                        let _e315 = levels.member[(0u + _e261)].row_z;
+                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
+                        if (_e285 > 0f) {
+                            if (_e299 >= 0f) {
+                                phi_1106_ = (_e299 <= 1f);
                             } else {
-                                phi_1105_ = false;
+                                phi_1106_ = false;
                             }
-                            let _e330 = phi_1105_;
-                            if _e330 {
-                                if (_e312 >= 0f) {
-                                    phi_1114_ = (_e312 <= 1f);
+                            let _e331 = phi_1106_;
+                            if _e331 {
+                                if (_e313 >= 0f) {
+                                    phi_1115_ = (_e313 <= 1f);
                                 } else {
-                                    phi_1114_ = false;
+                                    phi_1115_ = false;
                                 }
-                                let _e334 = phi_1114_;
-                                if _e334 {
-                                    if (_e325 >= 0f) {
-                                        phi_1123_ = (_e325 <= 1f);
+                                let _e335 = phi_1115_;
+                                if _e335 {
+                                    if (_e326 >= 0f) {
+                                        phi_1124_ = (_e326 <= 1f);
                                     } else {
-                                        phi_1123_ = false;
+                                        phi_1124_ = false;
                                     }
-                                    let _e338 = phi_1123_;
-                                    phi_1124_ = _e338;
-                                    phi_1125_ = false;
+                                    let _e339 = phi_1124_;
+                                    phi_1125_ = _e339;
+                                    phi_1126_ = false;
                                 } else {
-                                    phi_1124_ = bool();
-                                    phi_1125_ = true;
+                                    phi_1125_ = bool();
+                                    phi_1126_ = true;
                                 }
-                                let _e340 = phi_1124_;
-                                let _e342 = phi_1125_;
-                                phi_1126_ = _e340;
-                                phi_1127_ = _e342;
+                                let _e341 = phi_1125_;
+                                let _e343 = phi_1126_;
+                                phi_1127_ = _e341;
+                                phi_1128_ = _e343;
                             } else {
-                                phi_1126_ = bool();
-                                phi_1127_ = true;
+                                phi_1127_ = bool();
+                                phi_1128_ = true;
                             }
-                            let _e344 = phi_1126_;
-                            let _e346 = phi_1127_;
-                            phi_1128_ = _e344;
-                            phi_1129_ = _e346;
+                            let _e345 = phi_1127_;
+                            let _e347 = phi_1128_;
+                            phi_1129_ = _e345;
+                            phi_1130_ = _e347;
                         } else {
-                            phi_1128_ = bool();
-                            phi_1129_ = true;
+                            phi_1129_ = bool();
+                            phi_1130_ = true;
                         }
-                        let _e348 = phi_1128_;
-                        let _e350 = phi_1129_;
-                        if _e350 {
-                            phi_1133_ = false;
+                        let _e349 = phi_1129_;
+                        let _e351 = phi_1130_;
+                        if _e351 {
+                            phi_1134_ = false;
                         } else {
-                            phi_1133_ = _e348;
+                            phi_1134_ = _e349;
                         }
-                        let _e352 = phi_1133_;
-                        if _e352 {
-                            if (_e298 >= _e233) {
-                                if (_e298 <= (1f - _e233)) {
-                                    if (_e312 >= _e233) {
-                                        phi_1160_ = (_e312 <= (1f - _e233));
-                                        phi_1161_ = false;
+                        let _e353 = phi_1134_;
+                        if _e353 {
+                            if (_e299 >= _e234) {
+                                if (_e299 <= (1f - _e234)) {
+                                    if (_e313 >= _e234) {
+                                        phi_1161_ = (_e313 <= (1f - _e234));
+                                        phi_1162_ = false;
                                     } else {
-                                        phi_1160_ = bool();
-                                        phi_1161_ = true;
+                                        phi_1161_ = bool();
+                                        phi_1162_ = true;
                                     }
-                                    let _e360 = phi_1160_;
-                                    let _e362 = phi_1161_;
-                                    phi_1162_ = _e360;
-                                    phi_1163_ = _e362;
+                                    let _e361 = phi_1161_;
+                                    let _e363 = phi_1162_;
+                                    phi_1163_ = _e361;
+                                    phi_1164_ = _e363;
                                 } else {
-                                    phi_1162_ = bool();
-                                    phi_1163_ = true;
+                                    phi_1163_ = bool();
+                                    phi_1164_ = true;
                                 }
-                                let _e364 = phi_1162_;
-                                let _e366 = phi_1163_;
-                                phi_1164_ = _e364;
-                                phi_1165_ = _e366;
+                                let _e365 = phi_1163_;
+                                let _e367 = phi_1164_;
+                                phi_1165_ = _e365;
+                                phi_1166_ = _e367;
                             } else {
-                                phi_1164_ = bool();
-                                phi_1165_ = true;
+                                phi_1165_ = bool();
+                                phi_1166_ = true;
                             }
-                            let _e368 = phi_1164_;
-                            let _e370 = phi_1165_;
-                            phi_1166_ = _e368;
-                            phi_1167_ = _e370;
+                            let _e369 = phi_1165_;
+                            let _e371 = phi_1166_;
+                            phi_1167_ = _e369;
+                            phi_1168_ = _e371;
                         } else {
-                            phi_1166_ = bool();
-                            phi_1167_ = true;
+                            phi_1167_ = bool();
+                            phi_1168_ = true;
                         }
-                        let _e372 = phi_1166_;
-                        let _e374 = phi_1167_;
-                        if _e374 {
-                            phi_1171_ = false;
+                        let _e373 = phi_1167_;
+                        let _e375 = phi_1168_;
+                        if _e375 {
+                            phi_1172_ = false;
                         } else {
-                            phi_1171_ = _e372;
+                            phi_1172_ = _e373;
                         }
-                        let _e376 = phi_1171_;
-                        let _e383 = lt_math_LightPoint(vec2<f32>(_e298, _e258.uv.y), _e258.depth, _e258.is_inside);
-                        let _e390 = lt_math_LightPoint(vec2<f32>(_e383.uv.x, _e312), _e383.depth, _e383.is_inside);
-                        let _e394 = lt_math_LightPoint(_e390.uv, _e325, _e390.is_inside);
-                        let _e398 = lt_math_LightPoint(_e394.uv, _e394.depth, _e376);
-                        phi_1180_ = _e398;
-                        phi_1181_ = (_e260 + 1u);
-                        phi_1182_ = lt_math_LevelPoint(_e260, _e398);
-                        phi_1183_ = true;
+                        let _e377 = phi_1172_;
+                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
+                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
+                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
+                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
+                        phi_1181_ = _e399;
+                        phi_1182_ = (_e261 + 1u);
+                        phi_1183_ = lt_math_LevelPoint(_e261, _e399);
+                        phi_1184_ = true;
                     }
-                    let _e402 = phi_1180_;
-                    let _e404 = phi_1181_;
-                    let _e406 = phi_1182_;
-                    let _e408 = phi_1183_;
-                    phi_1015_ = _e402;
-                    phi_1018_ = _e404;
-                    phi_1020_ = _e406;
-                    phi_1184_ = _e408;
+                    let _e403 = phi_1181_;
+                    let _e405 = phi_1182_;
+                    let _e407 = phi_1183_;
+                    let _e409 = phi_1184_;
+                    phi_1016_ = _e403;
+                    phi_1019_ = _e405;
+                    phi_1021_ = _e407;
+                    phi_1185_ = _e409;
                 } else {
-                    phi_1015_ = lt_math_LightPoint();
-                    phi_1018_ = u32();
-                    phi_1020_ = lt_math_LevelPoint();
-                    phi_1184_ = false;
+                    phi_1016_ = lt_math_LightPoint();
+                    phi_1019_ = u32();
+                    phi_1021_ = lt_math_LevelPoint();
+                    phi_1185_ = false;
                 }
-                let _e410 = phi_1015_;
-                let _e412 = phi_1018_;
-                let _e414 = phi_1020_;
-                let _e416 = phi_1184_;
+                let _e411 = phi_1016_;
+                let _e413 = phi_1019_;
+                let _e415 = phi_1021_;
+                let _e417 = phi_1185_;
                 continue;
                 continuing {
-                    phi_1014_ = _e410;
-                    phi_1017_ = _e412;
-                    phi_1019_ = _e414;
-                    break if !(_e416);
+                    phi_1015_ = _e411;
+                    phi_1018_ = _e413;
+                    phi_1020_ = _e415;
+                    break if !(_e417);
                 }
             }
-            let _e419 = local_2;
-            if _e419.point.is_inside {
+            let _e420 = local_2;
+            if _e420.point.is_inside {
                 if (0f > 0f) {
-                    let _e425 = local_3;
-                    if (_e425.level < _e57) {
+                    let _e426 = local_3;
+                    if (_e426.level < _e58) {
                     } else {
                         return;
                     }
-                    let _e430 = levels.member[(0u + _e425.level)];
-                    let _e436 = global[0u];
-                    if (_e430.row_w.x == _e436) {
-                        let _e439 = global[1u];
-                        if (_e430.row_w.y == _e439) {
-                            let _e442 = global[2u];
-                            phi_1224_ = (_e430.row_w.z == _e442);
-                            phi_1225_ = false;
+                    let _e431 = levels.member[(0u + _e426.level)];
+                    let _e437 = global[0u];
+                    if (_e431.row_w.x == _e437) {
+                        let _e440 = global[1u];
+                        if (_e431.row_w.y == _e440) {
+                            let _e443 = global[2u];
+                            phi_1225_ = (_e431.row_w.z == _e443);
+                            phi_1226_ = false;
                         } else {
-                            phi_1224_ = bool();
-                            phi_1225_ = true;
+                            phi_1225_ = bool();
+                            phi_1226_ = true;
                         }
-                        let _e445 = phi_1224_;
-                        let _e447 = phi_1225_;
-                        phi_1226_ = _e445;
-                        phi_1227_ = _e447;
+                        let _e446 = phi_1225_;
+                        let _e448 = phi_1226_;
+                        phi_1227_ = _e446;
+                        phi_1228_ = _e448;
                     } else {
-                        phi_1226_ = bool();
-                        phi_1227_ = true;
+                        phi_1227_ = bool();
+                        phi_1228_ = true;
                     }
-                    let _e449 = phi_1226_;
-                    let _e451 = phi_1227_;
-                    if _e451 {
-                        phi_1231_ = false;
+                    let _e450 = phi_1227_;
+                    let _e452 = phi_1228_;
+                    if _e452 {
+                        phi_1232_ = false;
                     } else {
-                        phi_1231_ = _e449;
+                        phi_1232_ = _e450;
                     }
-                    let _e453 = phi_1231_;
-                    if _e453 {
-                        let _e455 = samples.member[_e63.first_primitive].normal;
-                        let _e457 = p.member.map_size;
-                        let _e527 = ((abs(((((_e430.row_x.x * _e455.x) + (_e430.row_x.y * _e455.y)) + (_e430.row_x.z * _e455.z)) / (((_e430.row_x.x * _e430.row_x.x) + (_e430.row_x.y * _e430.row_x.y)) + (_e430.row_x.z * _e430.row_x.z)))) + abs(((((_e430.row_y.x * _e455.x) + (_e430.row_y.y * _e455.y)) + (_e430.row_y.z * _e455.z)) / (((_e430.row_y.x * _e430.row_y.x) + (_e430.row_y.y * _e430.row_y.y)) + (_e430.row_y.z * _e430.row_y.z))))) / (abs(((((_e430.row_z.x * _e455.x) + (_e430.row_z.y * _e455.y)) + (_e430.row_z.z * _e455.z)) / (((_e430.row_z.x * _e430.row_z.x) + (_e430.row_z.y * _e430.row_z.y)) + (_e430.row_z.z * _e430.row_z.z)))) * f32(_e457)));
-                        if (_e527 < 0.002f) {
-                            phi_1313_ = _e527;
+                    let _e454 = phi_1232_;
+                    if _e454 {
+                        let _e456 = samples.member[_e64.first_primitive].normal;
+                        let _e458 = p.member.map_size;
+                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
+                        if (_e528 < 0.002f) {
+                            phi_1314_ = _e528;
                         } else {
-                            phi_1313_ = 0.002f;
+                            phi_1314_ = 0.002f;
                         }
-                        let _e530 = phi_1313_;
-                        phi_1430_ = _e530;
+                        let _e531 = phi_1314_;
+                        phi_1433_ = _e531;
                     } else {
-                        let _e532 = p.member.map_size;
-                        let _e538 = samples.member[_e63.first_primitive].position;
-                        let _e549 = ((((_e430.row_w.x * _e538.x) + (_e430.row_w.y * _e538.y)) + (_e430.row_w.z * _e538.z)) + _e430.row_w.w);
-                        let _e562 = ((_e430.row_x.x - (_e430.row_w.x * _e419.point.uv.x)) / _e549);
-                        let _e563 = ((_e430.row_x.y - (_e430.row_w.y * _e419.point.uv.x)) / _e549);
-                        let _e564 = ((_e430.row_x.z - (_e430.row_w.z * _e419.point.uv.x)) / _e549);
-                        let _e577 = ((_e430.row_y.x - (_e430.row_w.x * _e419.point.uv.y)) / _e549);
-                        let _e578 = ((_e430.row_y.y - (_e430.row_w.y * _e419.point.uv.y)) / _e549);
-                        let _e579 = ((_e430.row_y.z - (_e430.row_w.z * _e419.point.uv.y)) / _e549);
-                        let _e585 = samples.member[_e63.first_primitive].normal;
-                        let _e590 = ((_e578 * _e585.z) - (_e585.y * _e579));
-                        let _e595 = ((_e579 * _e585.x) - (_e585.z * _e577));
-                        let _e600 = ((_e577 * _e585.y) - (_e585.x * _e578));
-                        let _e602 = samples.member[_e63.first_primitive].normal;
-                        let _e607 = ((_e563 * _e602.z) - (_e602.y * _e564));
-                        let _e612 = ((_e564 * _e602.x) - (_e602.z * _e562));
-                        let _e617 = ((_e562 * _e602.y) - (_e602.x * _e563));
-                        let _e644 = ((abs(((((_e430.row_z.x * _e590) + (_e430.row_z.y * _e595)) + (_e430.row_z.z * _e600)) / (((_e562 * _e590) + (_e563 * _e595)) + (_e564 * _e600)))) + abs(((((_e430.row_z.x * _e607) + (_e430.row_z.y * _e612)) + (_e430.row_z.z * _e617)) / (((_e577 * _e607) + (_e578 * _e612)) + (_e579 * _e617))))) / f32(_e532));
-                        if (_e644 < 0.002f) {
-                            phi_1429_ = _e644;
+                        let _e533 = p.member.map_size;
+                        let _e539 = samples.member[_e64.first_primitive].position;
+                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
+                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
+                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
+                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
+                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
+                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
+                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
+                        let _e586 = samples.member[_e64.first_primitive].normal;
+                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
+                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
+                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
+                        let _e603 = samples.member[_e64.first_primitive].normal;
+                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
+                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
+                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
+                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
+                        let _e647 = (16f / f32(_e533));
+                        if (_e645 < _e647) {
+                            phi_1432_ = _e645;
                         } else {
-                            phi_1429_ = 0.002f;
+                            phi_1432_ = _e647;
                         }
-                        let _e647 = phi_1429_;
-                        phi_1430_ = _e647;
+                        let _e650 = phi_1432_;
+                        phi_1433_ = _e650;
                     }
-                    let _e649 = phi_1430_;
-                    phi_1433_ = (_e419.point.depth - (0f * _e649));
+                    let _e652 = phi_1433_;
+                    phi_1436_ = (_e420.point.depth - (0f * _e652));
                 } else {
-                    phi_1433_ = _e419.point.depth;
+                    phi_1436_ = _e420.point.depth;
                 }
-                let _e653 = phi_1433_;
-                let _e659 = p.member.map_size;
-                let _e660 = f32(_e659);
-                let _e663 = ((_e419.point.uv.x * _e660) - 0.5f);
-                let _e664 = ((_e419.point.uv.y * _e660) - 0.5f);
-                if (_e663 > -8388608f) {
-                    let _e676 = f32(select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < bitcast<f32>(3472883712u))), 2147483647i, (_e663 > bitcast<f32>(1325400063u))), (_e663 == _e663)));
-                    if (_e676 > _e663) {
-                        phi_1462_ = 1f;
+                let _e656 = phi_1436_;
+                let _e662 = p.member.map_size;
+                let _e663 = f32(_e662);
+                let _e666 = ((_e420.point.uv.x * _e663) - 0.5f);
+                let _e667 = ((_e420.point.uv.y * _e663) - 0.5f);
+                if (_e666 > -8388608f) {
+                    let _e679 = f32(select(0i, select(select(i32(_e666), i32(-2147483648), (_e666 < bitcast<f32>(3472883712u))), 2147483647i, (_e666 > bitcast<f32>(1325400063u))), (_e666 == _e666)));
+                    if (_e679 > _e666) {
+                        phi_1465_ = 1f;
                     } else {
-                        phi_1462_ = 0f;
+                        phi_1465_ = 0f;
                     }
-                    let _e679 = phi_1462_;
-                    if (_e663 < 8388608f) {
-                        phi_1467_ = (_e676 - _e679);
-                        phi_1468_ = false;
+                    let _e682 = phi_1465_;
+                    if (_e666 < 8388608f) {
+                        phi_1470_ = (_e679 - _e682);
+                        phi_1471_ = false;
                     } else {
-                        phi_1467_ = f32();
-                        phi_1468_ = true;
+                        phi_1470_ = f32();
+                        phi_1471_ = true;
                     }
-                    let _e682 = phi_1467_;
-                    let _e684 = phi_1468_;
-                    phi_1469_ = _e682;
-                    phi_1470_ = _e684;
+                    let _e685 = phi_1470_;
+                    let _e687 = phi_1471_;
+                    phi_1472_ = _e685;
+                    phi_1473_ = _e687;
                 } else {
-                    phi_1469_ = f32();
-                    phi_1470_ = true;
+                    phi_1472_ = f32();
+                    phi_1473_ = true;
                 }
-                let _e686 = phi_1469_;
-                let _e688 = phi_1470_;
-                if _e688 {
-                    phi_1474_ = _e663;
+                let _e689 = phi_1472_;
+                let _e691 = phi_1473_;
+                if _e691 {
+                    phi_1477_ = _e666;
                 } else {
-                    phi_1474_ = _e686;
+                    phi_1477_ = _e689;
                 }
-                let _e690 = phi_1474_;
-                if (_e664 > -8388608f) {
-                    let _e702 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
-                    if (_e702 > _e664) {
-                        phi_1494_ = 1f;
+                let _e693 = phi_1477_;
+                if (_e667 > -8388608f) {
+                    let _e705 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
+                    if (_e705 > _e667) {
+                        phi_1497_ = 1f;
                     } else {
-                        phi_1494_ = 0f;
+                        phi_1497_ = 0f;
                     }
-                    let _e705 = phi_1494_;
-                    if (_e664 < 8388608f) {
-                        phi_1499_ = (_e702 - _e705);
-                        phi_1500_ = false;
+                    let _e708 = phi_1497_;
+                    if (_e667 < 8388608f) {
+                        phi_1502_ = (_e705 - _e708);
+                        phi_1503_ = false;
                     } else {
-                        phi_1499_ = f32();
-                        phi_1500_ = true;
+                        phi_1502_ = f32();
+                        phi_1503_ = true;
                     }
-                    let _e708 = phi_1499_;
-                    let _e710 = phi_1500_;
-                    phi_1501_ = _e708;
-                    phi_1502_ = _e710;
+                    let _e711 = phi_1502_;
+                    let _e713 = phi_1503_;
+                    phi_1504_ = _e711;
+                    phi_1505_ = _e713;
                 } else {
-                    phi_1501_ = f32();
-                    phi_1502_ = true;
+                    phi_1504_ = f32();
+                    phi_1505_ = true;
                 }
-                let _e712 = phi_1501_;
-                let _e714 = phi_1502_;
-                if _e714 {
-                    phi_1506_ = _e664;
+                let _e715 = phi_1504_;
+                let _e717 = phi_1505_;
+                if _e717 {
+                    phi_1509_ = _e667;
                 } else {
-                    phi_1506_ = _e712;
+                    phi_1509_ = _e715;
                 }
-                let _e716 = phi_1506_;
-                let _e717 = (_e663 - _e690);
-                let _e718 = (_e664 - _e716);
-                let _e727 = select(0i, select(select(i32(_e690), i32(-2147483648), (_e690 < bitcast<f32>(3472883712u))), 2147483647i, (_e690 > bitcast<f32>(1325400063u))), (_e690 == _e690));
-                let _e736 = select(0i, select(select(i32(_e716), i32(-2147483648), (_e716 < bitcast<f32>(3472883712u))), 2147483647i, (_e716 > bitcast<f32>(1325400063u))), (_e716 == _e716));
-                let _e747 = p.member.test;
-                let _e748 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
-                let _e750 = p.member.map_size;
-                let _e752 = local_4;
-                local_1 = _e748;
-                let _e755 = ((_e752.level * _e750) * _e750);
-                let _e757 = (bitcast<i32>(_e750) - 1i);
-                if (_e727 > 0i) {
-                    phi_1555_ = _e727;
+                let _e719 = phi_1509_;
+                let _e720 = (_e666 - _e693);
+                let _e721 = (_e667 - _e719);
+                let _e730 = select(0i, select(select(i32(_e693), i32(-2147483648), (_e693 < bitcast<f32>(3472883712u))), 2147483647i, (_e693 > bitcast<f32>(1325400063u))), (_e693 == _e693));
+                let _e739 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < bitcast<f32>(3472883712u))), 2147483647i, (_e719 > bitcast<f32>(1325400063u))), (_e719 == _e719));
+                let _e750 = p.member.test;
+                let _e751 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e750);
+                let _e753 = p.member.map_size;
+                let _e755 = local_4;
+                local_1 = _e751;
+                let _e758 = ((_e755.level * _e753) * _e753);
+                let _e760 = (bitcast<i32>(_e753) - 1i);
+                if (_e730 > 0i) {
+                    phi_1558_ = _e730;
                 } else {
-                    phi_1555_ = 0i;
+                    phi_1558_ = 0i;
                 }
-                let _e760 = phi_1555_;
-                if (_e736 > 0i) {
-                    phi_1560_ = _e736;
+                let _e763 = phi_1558_;
+                if (_e739 > 0i) {
+                    phi_1563_ = _e739;
                 } else {
-                    phi_1560_ = 0i;
+                    phi_1563_ = 0i;
                 }
-                let _e763 = phi_1560_;
-                if (_e760 < _e757) {
-                    phi_1565_ = _e760;
+                let _e766 = phi_1563_;
+                if (_e763 < _e760) {
+                    phi_1568_ = _e763;
                 } else {
-                    phi_1565_ = _e757;
+                    phi_1568_ = _e760;
                 }
-                let _e766 = phi_1565_;
-                if (_e763 < _e757) {
-                    phi_1570_ = _e763;
+                let _e769 = phi_1568_;
+                if (_e766 < _e760) {
+                    phi_1573_ = _e766;
                 } else {
-                    phi_1570_ = _e757;
+                    phi_1573_ = _e760;
                 }
-                let _e769 = phi_1570_;
-                let _e770 = bitcast<u32>(_e766);
-                let _e772 = (_e727 + 1i);
-                let _e773 = (_e736 + 1i);
-                if (_e772 > 0i) {
-                    phi_1579_ = _e772;
+                let _e772 = phi_1573_;
+                let _e773 = bitcast<u32>(_e769);
+                let _e775 = (_e730 + 1i);
+                let _e776 = (_e739 + 1i);
+                if (_e775 > 0i) {
+                    phi_1582_ = _e775;
                 } else {
-                    phi_1579_ = 0i;
+                    phi_1582_ = 0i;
                 }
-                let _e776 = phi_1579_;
-                if (_e773 > 0i) {
-                    phi_1584_ = _e773;
+                let _e779 = phi_1582_;
+                if (_e776 > 0i) {
+                    phi_1587_ = _e776;
                 } else {
-                    phi_1584_ = 0i;
+                    phi_1587_ = 0i;
                 }
-                let _e779 = phi_1584_;
-                if (_e776 < _e757) {
-                    phi_1589_ = _e776;
+                let _e782 = phi_1587_;
+                if (_e779 < _e760) {
+                    phi_1592_ = _e779;
                 } else {
-                    phi_1589_ = _e757;
+                    phi_1592_ = _e760;
                 }
-                let _e782 = phi_1589_;
-                if (_e779 < _e757) {
-                    phi_1594_ = _e779;
+                let _e785 = phi_1592_;
+                if (_e782 < _e760) {
+                    phi_1597_ = _e782;
                 } else {
-                    phi_1594_ = _e757;
+                    phi_1597_ = _e760;
                 }
-                let _e785 = phi_1594_;
-                let _e786 = bitcast<u32>(_e782);
-                let _e788 = (bitcast<u32>(_e769) * _e750);
-                let _e789 = (bitcast<u32>(_e785) * _e750);
-                let _e794 = ((_e788 + _e770) + _e755);
-                let _e795 = ((_e788 + _e786) + _e755);
-                let _e796 = ((_e789 + _e770) + _e755);
-                let _e797 = ((_e789 + _e786) + _e755);
-                if (_e794 < _e52) {
+                let _e788 = phi_1597_;
+                let _e789 = bitcast<u32>(_e785);
+                let _e791 = (bitcast<u32>(_e772) * _e753);
+                let _e792 = (bitcast<u32>(_e788) * _e753);
+                let _e797 = ((_e791 + _e773) + _e758);
+                let _e798 = ((_e791 + _e789) + _e758);
+                let _e799 = ((_e792 + _e773) + _e758);
+                let _e800 = ((_e792 + _e789) + _e758);
+                if (_e797 < _e53) {
                 } else {
                     return;
                 }
-                let _e801 = map.member[(0u + _e794)];
-                if (_e795 < _e52) {
+                let _e804 = map.member[(0u + _e797)];
+                if (_e798 < _e53) {
                 } else {
                     return;
                 }
-                let _e805 = map.member[(0u + _e795)];
-                if (_e796 < _e52) {
+                let _e808 = map.member[(0u + _e798)];
+                if (_e799 < _e53) {
                 } else {
                     return;
                 }
-                let _e809 = map.member[(0u + _e796)];
-                if (_e797 < _e52) {
+                let _e812 = map.member[(0u + _e799)];
+                if (_e800 < _e53) {
                 } else {
                     return;
                 }
-                let _e813 = map.member[(0u + _e797)];
-                let _e815 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e801, _e805, _e809, _e813), vec4<f32>(((1f - _e717) * (1f - _e718)), (_e717 * (1f - _e718)), ((1f - _e717) * _e718), (_e717 * _e718)), _e653);
-                let _e817 = p.member.epsilon;
-                if (_e815 <= _e817) {
-                    phi_1645_ = true;
+                let _e816 = map.member[(0u + _e800)];
+                let _e818 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e804, _e808, _e812, _e816), vec4<f32>(((1f - _e720) * (1f - _e721)), (_e720 * (1f - _e721)), ((1f - _e720) * _e721), (_e720 * _e721)), _e656);
+                let _e820 = p.member.epsilon;
+                if (_e818 <= _e820) {
+                    phi_1648_ = true;
                 } else {
-                    phi_1645_ = (_e815 >= (1f - _e817));
+                    phi_1648_ = (_e818 >= (1f - _e820));
                 }
-                let _e822 = phi_1645_;
-                if ((bitcast<u32>(_e815) & 2147483647u) > 2139095040u) {
-                    phi_1653_ = true;
+                let _e825 = phi_1648_;
+                if ((bitcast<u32>(_e818) & 2147483647u) > 2139095040u) {
+                    phi_1656_ = true;
                 } else {
-                    phi_1653_ = !(_e822);
+                    phi_1656_ = !(_e825);
                 }
-                let _e828 = phi_1653_;
-                if _e828 {
-                    if (_e815 > 0f) {
-                        if (_e815 < 1f) {
-                            phi_1665_ = false;
+                let _e831 = phi_1656_;
+                if _e831 {
+                    if (_e818 > 0f) {
+                        if (_e818 < 1f) {
+                            phi_1668_ = false;
                         } else {
-                            phi_1665_ = true;
+                            phi_1668_ = true;
                         }
-                        let _e832 = phi_1665_;
-                        phi_1666_ = _e832;
+                        let _e835 = phi_1668_;
+                        phi_1669_ = _e835;
                     } else {
-                        phi_1666_ = true;
+                        phi_1669_ = true;
                     }
-                    let _e834 = phi_1666_;
-                    if _e834 {
-                        phi_1670_ = 0.5f;
+                    let _e837 = phi_1669_;
+                    if _e837 {
+                        phi_1673_ = 0.5f;
                     } else {
-                        phi_1670_ = _e815;
+                        phi_1673_ = _e818;
                     }
-                    let _e836 = phi_1670_;
-                    phi_1678_ = evaluate_Verdict(_e836, true);
+                    let _e839 = phi_1673_;
+                    phi_1681_ = evaluate_Verdict(_e839, true);
                 } else {
-                    if (_e815 > 0.5f) {
-                        phi_1676_ = 1f;
+                    if (_e818 > 0.5f) {
+                        phi_1679_ = 1f;
                     } else {
-                        phi_1676_ = 0f;
+                        phi_1679_ = 0f;
                     }
-                    let _e840 = phi_1676_;
-                    phi_1678_ = evaluate_Verdict(_e840, false);
+                    let _e843 = phi_1679_;
+                    phi_1681_ = evaluate_Verdict(_e843, false);
                 }
-                let _e843 = phi_1678_;
-                phi_1683_ = evaluate_Verdict(_e843.visibility, _e843.is_doubted);
+                let _e846 = phi_1681_;
+                phi_1686_ = evaluate_Verdict(_e846.visibility, _e846.is_doubted);
             } else {
-                phi_1683_ = evaluate_Verdict(0.5f, true);
+                phi_1686_ = evaluate_Verdict(0.5f, true);
             }
-            let _e849 = phi_1683_;
-            phi_1684_ = _e849;
+            let _e852 = phi_1686_;
+            phi_1687_ = _e852;
         }
-        let _e851 = phi_1684_;
-        visibility.member[_e63.first_primitive] = _e851.visibility;
-        phi_1688_ = _e851.is_doubted;
-        phi_1689_ = _e63.first_primitive;
+        let _e854 = phi_1687_;
+        visibility.member[_e64.first_primitive] = _e854.visibility;
+        phi_1691_ = _e854.is_doubted;
+        phi_1692_ = _e64.first_primitive;
     } else {
-        phi_1688_ = false;
-        phi_1689_ = 0u;
+        phi_1691_ = false;
+        phi_1692_ = 0u;
     }
-    let _e856 = phi_1688_;
-    let _e858 = phi_1689_;
-    if (_e47 == 0u) {
+    let _e859 = phi_1691_;
+    let _e861 = phi_1692_;
+    if (_e48 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e856 {
-        let _e862 = atomicAdd((&shared_[0u]), 1u);
-        phi_1700_ = _e862;
+    if _e859 {
+        let _e865 = atomicAdd((&shared_[0u]), 1u);
+        phi_1703_ = _e865;
     } else {
-        phi_1700_ = 0u;
+        phi_1703_ = 0u;
     }
-    let _e864 = phi_1700_;
+    let _e867 = phi_1703_;
     workgroupBarrier();
-    if (_e47 == 0u) {
-        let _e868 = atomicLoad((&shared_[0u]));
-        let _e869 = atomicAdd((&list.member[3u]), _e868);
-        atomicStore((&shared_[1u]), _e869);
+    if (_e48 == 0u) {
+        let _e871 = atomicLoad((&shared_[0u]));
+        let _e872 = atomicAdd((&list.member[3u]), _e871);
+        atomicStore((&shared_[1u]), _e872);
     }
     workgroupBarrier();
-    if _e856 {
-        let _e872 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e872) + _e864)]), _e858);
+    if _e859 {
+        let _e875 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e875) + _e867)]), _e861);
     }
     return;
 }

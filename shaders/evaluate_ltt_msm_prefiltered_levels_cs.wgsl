@@ -108,37 +108,37 @@ var<storage> levels: type_49;
 var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_165_: lt_bvh_traverse_Tree;
-    var phi_166_: bool;
-    var phi_167_: lt_bvh_traverse_Tree;
-    var phi_168_: bool;
-    var phi_173_: lt_bvh_traverse_Tree;
+    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_167_: bool;
+    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_169_: bool;
+    var phi_174_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_165_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_166_ = false;
+            phi_166_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_167_ = false;
         } else {
-            phi_165_ = lt_bvh_traverse_Tree();
-            phi_166_ = true;
+            phi_166_ = lt_bvh_traverse_Tree();
+            phi_167_ = true;
         }
-        let _e56 = phi_165_;
-        let _e58 = phi_166_;
-        phi_167_ = _e56;
-        phi_168_ = _e58;
+        let _e57 = phi_166_;
+        let _e59 = phi_167_;
+        phi_168_ = _e57;
+        phi_169_ = _e59;
     } else {
-        phi_167_ = lt_bvh_traverse_Tree();
-        phi_168_ = true;
+        phi_168_ = lt_bvh_traverse_Tree();
+        phi_169_ = true;
     }
-    let _e60 = phi_167_;
-    let _e62 = phi_168_;
-    if _e62 {
-        phi_173_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e61 = phi_168_;
+    let _e63 = phi_169_;
+    if _e63 {
+        phi_174_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_173_ = _e60;
+        phi_174_ = _e61;
     }
-    let _e67 = phi_173_;
-    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
+    let _e68 = phi_174_;
+    return lt_bvh_traverse_Tree(_e68.root, _e68.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -146,204 +146,203 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_222_: f32;
     var phi_223_: f32;
     var phi_224_: f32;
-    var phi_230_: bool;
-    var phi_252_: f32;
+    var phi_225_: f32;
+    var phi_231_: bool;
     var phi_253_: f32;
     var phi_254_: f32;
     var phi_255_: f32;
-    var phi_256_: bool;
-    var phi_257_: f32;
-    var phi_258_: bool;
-    var phi_296_: vec2<f32>;
-    var phi_330_: f32;
+    var phi_256_: f32;
+    var phi_257_: bool;
+    var phi_258_: f32;
+    var phi_259_: bool;
+    var phi_297_: vec2<f32>;
     var phi_331_: f32;
     var phi_332_: f32;
-    var phi_361_: f32;
+    var phi_333_: f32;
     var phi_362_: f32;
     var phi_363_: f32;
-    var phi_367_: f32;
+    var phi_364_: f32;
     var phi_368_: f32;
     var phi_369_: f32;
     var phi_370_: f32;
+    var phi_371_: f32;
 
-    let _e46 = (*param_4);
-    let _e47 = (1f - _e46);
-    let _e56 = (0.5f * _e46);
-    let _e57 = ((param_5.x * _e47) + _e56);
-    let _e58 = ((param_5.y * _e47) + _e56);
-    let _e60 = ((param_5.w * _e47) + _e56);
-    let _e62 = (_e58 - (_e57 * _e57));
-    let _e64 = (((param_5.z * _e47) + _e56) - (_e57 * _e58));
+    let _e47 = (*param_4);
+    let _e48 = (1f - _e47);
+    let _e57 = (0.5f * _e47);
+    let _e58 = ((param_5.x * _e48) + _e57);
+    let _e59 = ((param_5.y * _e48) + _e57);
+    let _e61 = ((param_5.w * _e48) + _e57);
+    let _e63 = (_e59 - (_e58 * _e58));
+    let _e65 = (((param_5.z * _e48) + _e57) - (_e58 * _e59));
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_224_ = param_6;
+        phi_225_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_223_ = 0f;
+            phi_224_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_222_ = 1f;
+                phi_223_ = 1f;
             } else {
-                phi_222_ = param_6;
+                phi_223_ = param_6;
             }
-            let _e76 = phi_222_;
-            phi_223_ = _e76;
+            let _e77 = phi_223_;
+            phi_224_ = _e77;
         }
-        let _e78 = phi_223_;
-        phi_224_ = _e78;
+        let _e79 = phi_224_;
+        phi_225_ = _e79;
     }
-    let _e80 = phi_224_;
-    if (_e57 == _e60) {
-        phi_230_ = (_e57 > 0.5f);
+    let _e81 = phi_225_;
+    if (_e58 == _e61) {
+        phi_231_ = (_e58 > 0.5f);
     } else {
-        phi_230_ = false;
+        phi_231_ = false;
     }
-    let _e84 = phi_230_;
-    if _e84 {
-        if (_e80 > 0f) {
-            if ((bitcast<u32>(_e57) & 2147483647u) > 2139095040u) {
-                phi_254_ = _e57;
+    let _e85 = phi_231_;
+    if _e85 {
+        if (_e81 > 0f) {
+            if ((bitcast<u32>(_e58) & 2147483647u) > 2139095040u) {
+                phi_255_ = _e58;
             } else {
-                if (_e57 < 0f) {
-                    phi_253_ = 0f;
+                if (_e58 < 0f) {
+                    phi_254_ = 0f;
                 } else {
-                    if (_e57 > 1f) {
-                        phi_252_ = 1f;
+                    if (_e58 > 1f) {
+                        phi_253_ = 1f;
                     } else {
-                        phi_252_ = _e57;
+                        phi_253_ = _e58;
                     }
-                    let _e92 = phi_252_;
-                    phi_253_ = _e92;
+                    let _e93 = phi_253_;
+                    phi_254_ = _e93;
                 }
-                let _e94 = phi_253_;
-                phi_254_ = _e94;
+                let _e95 = phi_254_;
+                phi_255_ = _e95;
             }
-            let _e96 = phi_254_;
-            phi_255_ = _e96;
-            phi_256_ = false;
+            let _e97 = phi_255_;
+            phi_256_ = _e97;
+            phi_257_ = false;
         } else {
-            phi_255_ = f32();
-            phi_256_ = true;
+            phi_256_ = f32();
+            phi_257_ = true;
         }
-        let _e98 = phi_255_;
-        let _e100 = phi_256_;
-        phi_257_ = _e98;
-        phi_258_ = _e100;
+        let _e99 = phi_256_;
+        let _e101 = phi_257_;
+        phi_258_ = _e99;
+        phi_259_ = _e101;
     } else {
-        phi_257_ = f32();
-        phi_258_ = true;
+        phi_258_ = f32();
+        phi_259_ = true;
     }
-    let _e102 = phi_257_;
-    let _e104 = phi_258_;
-    if _e104 {
-        let _e105 = (_e64 / _e62);
-        let _e106 = (_e80 - _e57);
-        let _e112 = (((((_e80 * _e80) - _e58) - (_e105 * _e106)) * _e62) / (((_e60 - (_e58 * _e58)) * _e62) - (_e64 * _e64)));
-        let _e115 = ((_e106 / _e62) - (_e105 * _e112));
-        let _e121 = ((0.5f * _e115) / _e112);
-        let _e124 = ((_e121 * _e121) - (((1f - (_e115 * _e57)) - (_e112 * _e58)) / _e112));
-        if (_e124 >= 0f) {
-            let _e126 = sqrt(_e124);
-            phi_296_ = vec2<f32>((-(_e121) - _e126), (-(_e121) + _e126));
+    let _e103 = phi_258_;
+    let _e105 = phi_259_;
+    if _e105 {
+        let _e106 = (_e65 / _e63);
+        let _e107 = (_e81 - _e58);
+        let _e113 = (((((_e81 * _e81) - _e59) - (_e106 * _e107)) * _e63) / (((_e61 - (_e59 * _e59)) * _e63) - (_e65 * _e65)));
+        let _e116 = ((_e107 / _e63) - (_e106 * _e113));
+        let _e122 = ((0.5f * _e116) / _e113);
+        let _e125 = ((_e122 * _e122) - (((1f - (_e116 * _e58)) - (_e113 * _e59)) / _e113));
+        if (_e125 >= 0f) {
+            let _e127 = sqrt(_e125);
+            phi_297_ = vec2<f32>((-(_e122) - _e127), (-(_e122) + _e127));
         } else {
-            phi_296_ = vec2(bitcast<f32>((bitcast<u32>(_e124) | 2143289344u)));
+            phi_297_ = vec2(bitcast<f32>((bitcast<u32>(_e125) | 2143289344u)));
         }
-        let _e137 = phi_296_;
-        if (_e80 <= _e137.x) {
-            phi_369_ = 1f;
+        let _e138 = phi_297_;
+        if (_e81 <= _e138.x) {
+            phi_370_ = 1f;
         } else {
-            if (_e80 > _e137.y) {
-                let _e150 = (((_e58 - (_e57 * (_e137.x + _e137.y))) + (_e137.x * _e137.y)) / ((_e80 - _e137.x) * (_e80 - _e137.y)));
-                if ((bitcast<u32>(_e150) & 2147483647u) > 2139095040u) {
-                    phi_332_ = _e150;
+            if (_e81 > _e138.y) {
+                let _e151 = (((_e59 - (_e58 * (_e138.x + _e138.y))) + (_e138.x * _e138.y)) / ((_e81 - _e138.x) * (_e81 - _e138.y)));
+                if ((bitcast<u32>(_e151) & 2147483647u) > 2139095040u) {
+                    phi_333_ = _e151;
                 } else {
-                    if (_e150 < 0f) {
-                        phi_331_ = 0f;
+                    if (_e151 < 0f) {
+                        phi_332_ = 0f;
                     } else {
-                        if (_e150 > 1f) {
-                            phi_330_ = 1f;
+                        if (_e151 > 1f) {
+                            phi_331_ = 1f;
                         } else {
-                            phi_330_ = _e150;
+                            phi_331_ = _e151;
                         }
-                        let _e157 = phi_330_;
-                        phi_331_ = _e157;
+                        let _e158 = phi_331_;
+                        phi_332_ = _e158;
                     }
-                    let _e159 = phi_331_;
-                    phi_332_ = _e159;
+                    let _e160 = phi_332_;
+                    phi_333_ = _e160;
                 }
-                let _e161 = phi_332_;
-                phi_368_ = _e161;
+                let _e162 = phi_333_;
+                phi_369_ = _e162;
             } else {
-                if (_e80 > _e137.x) {
-                    let _e172 = (1f - (((_e58 - (_e57 * (_e80 + _e137.y))) + (_e80 * _e137.y)) / ((_e137.x - _e80) * (_e137.x - _e137.y))));
-                    if ((bitcast<u32>(_e172) & 2147483647u) > 2139095040u) {
-                        phi_363_ = _e172;
+                if (_e81 > _e138.x) {
+                    let _e173 = (1f - (((_e59 - (_e58 * (_e81 + _e138.y))) + (_e81 * _e138.y)) / ((_e138.x - _e81) * (_e138.x - _e138.y))));
+                    if ((bitcast<u32>(_e173) & 2147483647u) > 2139095040u) {
+                        phi_364_ = _e173;
                     } else {
-                        if (_e172 < 0f) {
-                            phi_362_ = 0f;
+                        if (_e173 < 0f) {
+                            phi_363_ = 0f;
                         } else {
-                            if (_e172 > 1f) {
-                                phi_361_ = 1f;
+                            if (_e173 > 1f) {
+                                phi_362_ = 1f;
                             } else {
-                                phi_361_ = _e172;
+                                phi_362_ = _e173;
                             }
-                            let _e179 = phi_361_;
-                            phi_362_ = _e179;
+                            let _e180 = phi_362_;
+                            phi_363_ = _e180;
                         }
-                        let _e181 = phi_362_;
-                        phi_363_ = _e181;
+                        let _e182 = phi_363_;
+                        phi_364_ = _e182;
                     }
-                    let _e183 = phi_363_;
-                    phi_367_ = _e183;
+                    let _e184 = phi_364_;
+                    phi_368_ = _e184;
                 } else {
-                    phi_367_ = bitcast<f32>((bitcast<u32>(_e137.x) | 2143289344u));
+                    phi_368_ = bitcast<f32>((bitcast<u32>(_e138.x) | 2143289344u));
                 }
-                let _e188 = phi_367_;
-                phi_368_ = _e188;
+                let _e189 = phi_368_;
+                phi_369_ = _e189;
             }
-            let _e190 = phi_368_;
-            phi_369_ = _e190;
+            let _e191 = phi_369_;
+            phi_370_ = _e191;
         }
-        let _e192 = phi_369_;
-        phi_370_ = _e192;
+        let _e193 = phi_370_;
+        phi_371_ = _e193;
     } else {
-        phi_370_ = _e102;
+        phi_371_ = _e103;
     }
-    let _e194 = phi_370_;
-    return _e194;
+    let _e195 = phi_371_;
+    return _e195;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_425_: bool;
     var phi_426_: bool;
     var phi_427_: bool;
     var phi_428_: bool;
-    var phi_432_: bool;
-    var phi_502_: bool;
+    var phi_429_: bool;
+    var phi_433_: bool;
     var phi_503_: bool;
-    var phi_514_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_515_: bool;
-    var phi_516_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_517_: bool;
-    var phi_524_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_528_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_548_: lt_math_LightPoint;
-    var phi_551_: u32;
-    var phi_553_: lt_math_LevelPoint;
-    var phi_639_: bool;
-    var phi_648_: bool;
-    var phi_657_: bool;
+    var phi_504_: bool;
+    var phi_515_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_516_: bool;
+    var phi_517_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_518_: bool;
+    var phi_525_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_529_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_549_: lt_math_LightPoint;
+    var phi_552_: u32;
+    var phi_554_: lt_math_LevelPoint;
+    var phi_640_: bool;
+    var phi_649_: bool;
     var phi_658_: bool;
     var phi_659_: bool;
     var phi_660_: bool;
     var phi_661_: bool;
     var phi_662_: bool;
     var phi_663_: bool;
-    var phi_667_: bool;
-    var phi_694_: bool;
+    var phi_664_: bool;
+    var phi_668_: bool;
     var phi_695_: bool;
     var phi_696_: bool;
     var phi_697_: bool;
@@ -351,647 +350,649 @@ fn function_() {
     var phi_699_: bool;
     var phi_700_: bool;
     var phi_701_: bool;
-    var phi_705_: bool;
-    var phi_714_: lt_math_LightPoint;
-    var phi_715_: u32;
-    var phi_716_: lt_math_LevelPoint;
-    var phi_717_: bool;
-    var phi_549_: lt_math_LightPoint;
-    var phi_552_: u32;
-    var phi_554_: lt_math_LevelPoint;
+    var phi_702_: bool;
+    var phi_706_: bool;
+    var phi_715_: lt_math_LightPoint;
+    var phi_716_: u32;
+    var phi_717_: lt_math_LevelPoint;
     var phi_718_: bool;
+    var phi_550_: lt_math_LightPoint;
+    var phi_553_: u32;
+    var phi_555_: lt_math_LevelPoint;
+    var phi_719_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_758_: bool;
     var phi_759_: bool;
     var phi_760_: bool;
     var phi_761_: bool;
-    var phi_765_: bool;
-    var phi_847_: f32;
-    var phi_963_: f32;
-    var phi_964_: f32;
+    var phi_762_: bool;
+    var phi_766_: bool;
+    var phi_848_: f32;
+    var phi_966_: f32;
     var phi_967_: f32;
-    var phi_996_: f32;
-    var phi_1001_: f32;
-    var phi_1002_: bool;
-    var phi_1003_: f32;
-    var phi_1004_: bool;
-    var phi_1008_: f32;
-    var phi_1028_: f32;
-    var phi_1033_: f32;
-    var phi_1034_: bool;
-    var phi_1035_: f32;
-    var phi_1036_: bool;
-    var phi_1040_: f32;
+    var phi_970_: f32;
+    var phi_999_: f32;
+    var phi_1004_: f32;
+    var phi_1005_: bool;
+    var phi_1006_: f32;
+    var phi_1007_: bool;
+    var phi_1011_: f32;
+    var phi_1031_: f32;
+    var phi_1036_: f32;
+    var phi_1037_: bool;
+    var phi_1038_: f32;
+    var phi_1039_: bool;
+    var phi_1043_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1089_: i32;
-    var phi_1094_: i32;
-    var phi_1099_: i32;
-    var phi_1104_: i32;
-    var phi_1113_: i32;
-    var phi_1118_: i32;
-    var phi_1123_: i32;
-    var phi_1128_: i32;
-    var phi_1223_: bool;
-    var phi_1231_: bool;
-    var phi_1243_: bool;
-    var phi_1244_: bool;
-    var phi_1248_: f32;
-    var phi_1254_: f32;
-    var phi_1256_: evaluate_Verdict;
-    var phi_1261_: evaluate_Verdict;
-    var phi_1262_: evaluate_Verdict;
-    var phi_1266_: bool;
-    var phi_1267_: u32;
-    var phi_1278_: u32;
+    var phi_1092_: i32;
+    var phi_1097_: i32;
+    var phi_1102_: i32;
+    var phi_1107_: i32;
+    var phi_1116_: i32;
+    var phi_1121_: i32;
+    var phi_1126_: i32;
+    var phi_1131_: i32;
+    var phi_1226_: bool;
+    var phi_1234_: bool;
+    var phi_1246_: bool;
+    var phi_1247_: bool;
+    var phi_1251_: f32;
+    var phi_1257_: f32;
+    var phi_1259_: evaluate_Verdict;
+    var phi_1264_: evaluate_Verdict;
+    var phi_1265_: evaluate_Verdict;
+    var phi_1269_: bool;
+    var phi_1270_: u32;
+    var phi_1281_: u32;
 
-    let _e44 = id_1;
-    let _e45 = local_5;
-    let _e50 = arrayLength((&map.member));
-    let _e55 = arrayLength((&levels.member));
-    let _e58 = p.member.size[0u];
-    let _e60 = p.member.size[1u];
-    let _e61 = lt_shaders_entry_pixel_index(_e44, _e58, _e60);
-    if (bitcast<i32>(_e61.root) != 0i) {
-        let _e68 = p.member.level_count;
-        let _e72 = samples.member[_e61.first_primitive].normal[0u];
-        let _e74 = global[0u];
-        if (_e72 == _e74) {
-            let _e77 = samples.member[_e61.first_primitive].normal[1u];
-            let _e79 = global[1u];
-            if (_e77 == _e79) {
-                let _e82 = samples.member[_e61.first_primitive].normal[2u];
-                let _e84 = global[2u];
-                phi_425_ = (_e82 == _e84);
-                phi_426_ = false;
+    let _e45 = id_1;
+    let _e46 = local_5;
+    let _e51 = arrayLength((&map.member));
+    let _e56 = arrayLength((&levels.member));
+    let _e59 = p.member.size[0u];
+    let _e61 = p.member.size[1u];
+    let _e62 = lt_shaders_entry_pixel_index(_e45, _e59, _e61);
+    if (bitcast<i32>(_e62.root) != 0i) {
+        let _e69 = p.member.level_count;
+        let _e73 = samples.member[_e62.first_primitive].normal[0u];
+        let _e75 = global[0u];
+        if (_e73 == _e75) {
+            let _e78 = samples.member[_e62.first_primitive].normal[1u];
+            let _e80 = global[1u];
+            if (_e78 == _e80) {
+                let _e83 = samples.member[_e62.first_primitive].normal[2u];
+                let _e85 = global[2u];
+                phi_426_ = (_e83 == _e85);
+                phi_427_ = false;
             } else {
-                phi_425_ = bool();
-                phi_426_ = true;
+                phi_426_ = bool();
+                phi_427_ = true;
             }
-            let _e87 = phi_425_;
-            let _e89 = phi_426_;
-            phi_427_ = _e87;
-            phi_428_ = _e89;
+            let _e88 = phi_426_;
+            let _e90 = phi_427_;
+            phi_428_ = _e88;
+            phi_429_ = _e90;
         } else {
-            phi_427_ = bool();
-            phi_428_ = true;
+            phi_428_ = bool();
+            phi_429_ = true;
         }
-        let _e91 = phi_427_;
-        let _e93 = phi_428_;
-        if _e93 {
-            phi_432_ = false;
+        let _e92 = phi_428_;
+        let _e94 = phi_429_;
+        if _e94 {
+            phi_433_ = false;
         } else {
-            phi_432_ = _e91;
+            phi_433_ = _e92;
         }
-        let _e95 = phi_432_;
-        if !(_e95) {
-            let _e98 = samples.member[_e61.first_primitive].position;
-            let _e100 = p.member.light.place;
-            let _e106 = p.member.light.place[3u];
-            let _e113 = (_e100.x - (_e98.x * _e106));
-            let _e114 = (_e100.y - (_e98.y * _e106));
-            let _e115 = (_e100.z - (_e98.z * _e106));
-            let _e117 = samples.member[_e61.first_primitive].normal;
-            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
-                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
-                let _e133 = p.member.light.axis;
-                let _e145 = p.member.light.place[3u];
-                if (_e145 == 0f) {
-                    phi_503_ = true;
+        let _e96 = phi_433_;
+        if !(_e96) {
+            let _e99 = samples.member[_e62.first_primitive].position;
+            let _e101 = p.member.light.place;
+            let _e107 = p.member.light.place[3u];
+            let _e114 = (_e101.x - (_e99.x * _e107));
+            let _e115 = (_e101.y - (_e99.y * _e107));
+            let _e116 = (_e101.z - (_e99.z * _e107));
+            let _e118 = samples.member[_e62.first_primitive].normal;
+            if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
+                let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
+                let _e134 = p.member.light.axis;
+                let _e146 = p.member.light.place[3u];
+                if (_e146 == 0f) {
+                    phi_504_ = true;
                 } else {
-                    let _e148 = p.member.light.range_squared;
-                    if (_e131 <= _e148) {
-                        let _e151 = p.member.light.cos_outer;
-                        phi_502_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
+                    let _e149 = p.member.light.range_squared;
+                    if (_e132 <= _e149) {
+                        let _e152 = p.member.light.cos_outer;
+                        phi_503_ = (-((((_e114 * _e134.x) + (_e115 * _e134.y)) + (_e116 * _e134.z))) >= (_e152 * sqrt(_e132)));
                     } else {
-                        phi_502_ = false;
+                        phi_503_ = false;
                     }
-                    let _e156 = phi_502_;
-                    phi_503_ = _e156;
+                    let _e157 = phi_503_;
+                    phi_504_ = _e157;
                 }
-                let _e158 = phi_503_;
-                if _e158 {
-                    let _e160 = samples.member[_e61.first_primitive].flags;
-                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-                    phi_514_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
-                    phi_515_ = false;
+                let _e159 = phi_504_;
+                if _e159 {
+                    let _e161 = samples.member[_e62.first_primitive].flags;
+                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
+                    phi_515_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
+                    phi_516_ = false;
                 } else {
-                    phi_514_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_515_ = true;
+                    phi_515_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_516_ = true;
                 }
-                let _e179 = phi_514_;
-                let _e181 = phi_515_;
-                phi_516_ = _e179;
-                phi_517_ = _e181;
+                let _e180 = phi_515_;
+                let _e182 = phi_516_;
+                phi_517_ = _e180;
+                phi_518_ = _e182;
             } else {
-                phi_516_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_517_ = true;
+                phi_517_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_518_ = true;
             }
-            let _e183 = phi_516_;
-            let _e185 = phi_517_;
-            if _e185 {
-                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
-                phi_524_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
+            let _e184 = phi_517_;
+            let _e186 = phi_518_;
+            if _e186 {
+                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
+                phi_525_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
             } else {
-                phi_524_ = _e183;
+                phi_525_ = _e184;
             }
-            let _e202 = phi_524_;
-            phi_528_ = _e202;
+            let _e203 = phi_525_;
+            phi_529_ = _e203;
         } else {
-            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
-            phi_528_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
+            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
+            phi_529_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
         }
-        let _e219 = phi_528_;
-        if _e219.unnamed_1 {
-            phi_1262_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
+        let _e220 = phi_529_;
+        if _e220.unnamed_1 {
+            phi_1265_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
         } else {
-            let _e227 = samples.member[_e61.first_primitive].position;
-            let _e229 = p.member.map_size;
-            let _e231 = (0.5f / f32(_e229));
-            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
-            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
-            phi_548_ = lt_math_LightPoint();
-            phi_551_ = 0u;
-            phi_553_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
+            let _e228 = samples.member[_e62.first_primitive].position;
+            let _e230 = p.member.map_size;
+            let _e232 = (0.5f / f32(_e230));
+            let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e246 = lt_math_LightPoint(vec2<f32>(_e239.uv.x, 0f), _e239.depth, _e239.is_inside);
+            let _e250 = lt_math_LightPoint(_e246.uv, 0f, _e246.is_inside);
+            phi_549_ = lt_math_LightPoint();
+            phi_552_ = 0u;
+            phi_554_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e250.uv, _e250.depth, false));
             loop {
-                let _e256 = phi_548_;
-                let _e258 = phi_551_;
-                let _e260 = phi_553_;
-                local_2 = _e260;
-                local_3 = _e260;
-                local_4 = _e260;
-                if (_e258 < _e68) {
-                    if _e260.point.is_inside {
-                        phi_714_ = lt_math_LightPoint();
-                        phi_715_ = u32();
-                        phi_716_ = lt_math_LevelPoint();
-                        phi_717_ = false;
+                let _e257 = phi_549_;
+                let _e259 = phi_552_;
+                let _e261 = phi_554_;
+                local_2 = _e261;
+                local_3 = _e261;
+                local_4 = _e261;
+                if (_e259 < _e69) {
+                    if _e261.point.is_inside {
+                        phi_715_ = lt_math_LightPoint();
+                        phi_716_ = u32();
+                        phi_717_ = lt_math_LevelPoint();
+                        phi_718_ = false;
                     } else {
-                        if (_e258 < _e55) {
+                        if (_e259 < _e56) {
                         } else {
                             return;
                         }
-                        let _e271 = levels.member[(0u + _e258)].row_w;
-                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
-                        let _e284 = levels.member[(0u + _e258)].row_x;
-                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
-                        let _e298 = levels.member[(0u + _e258)].row_y;
-                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
-                        let _e312 = levels.member[(0u + _e258)].row_z;
-                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
-                        if (_e282 > 0f) {
-                            if (_e296 >= 0f) {
-                                phi_639_ = (_e296 <= 1f);
+                        let _e272 = levels.member[(0u + _e259)].row_w;
+                        let _e283 = ((((_e272.x * _e228.x) + (_e272.y * _e228.y)) + (_e272.z * _e228.z)) + (_e272.w * 1f));
+                        let _e285 = levels.member[(0u + _e259)].row_x;
+                        let _e297 = (((((_e285.x * _e228.x) + (_e285.y * _e228.y)) + (_e285.z * _e228.z)) + (_e285.w * 1f)) / _e283);
+                        let _e299 = levels.member[(0u + _e259)].row_y;
+                        let _e311 = (((((_e299.x * _e228.x) + (_e299.y * _e228.y)) + (_e299.z * _e228.z)) + (_e299.w * 1f)) / _e283);
+                        let _e313 = levels.member[(0u + _e259)].row_z;
+                        let _e324 = ((((_e313.x * _e228.x) + (_e313.y * _e228.y)) + (_e313.z * _e228.z)) + (_e313.w * 1f));
+                        if (_e283 > 0f) {
+                            if (_e297 >= 0f) {
+                                phi_640_ = (_e297 <= 1f);
                             } else {
-                                phi_639_ = false;
+                                phi_640_ = false;
                             }
-                            let _e328 = phi_639_;
-                            if _e328 {
-                                if (_e310 >= 0f) {
-                                    phi_648_ = (_e310 <= 1f);
+                            let _e329 = phi_640_;
+                            if _e329 {
+                                if (_e311 >= 0f) {
+                                    phi_649_ = (_e311 <= 1f);
                                 } else {
-                                    phi_648_ = false;
+                                    phi_649_ = false;
                                 }
-                                let _e332 = phi_648_;
-                                if _e332 {
-                                    if (_e323 >= 0f) {
-                                        phi_657_ = (_e323 <= 1f);
+                                let _e333 = phi_649_;
+                                if _e333 {
+                                    if (_e324 >= 0f) {
+                                        phi_658_ = (_e324 <= 1f);
                                     } else {
-                                        phi_657_ = false;
+                                        phi_658_ = false;
                                     }
-                                    let _e336 = phi_657_;
-                                    phi_658_ = _e336;
-                                    phi_659_ = false;
+                                    let _e337 = phi_658_;
+                                    phi_659_ = _e337;
+                                    phi_660_ = false;
                                 } else {
-                                    phi_658_ = bool();
-                                    phi_659_ = true;
+                                    phi_659_ = bool();
+                                    phi_660_ = true;
                                 }
-                                let _e338 = phi_658_;
-                                let _e340 = phi_659_;
-                                phi_660_ = _e338;
-                                phi_661_ = _e340;
+                                let _e339 = phi_659_;
+                                let _e341 = phi_660_;
+                                phi_661_ = _e339;
+                                phi_662_ = _e341;
                             } else {
-                                phi_660_ = bool();
-                                phi_661_ = true;
+                                phi_661_ = bool();
+                                phi_662_ = true;
                             }
-                            let _e342 = phi_660_;
-                            let _e344 = phi_661_;
-                            phi_662_ = _e342;
-                            phi_663_ = _e344;
+                            let _e343 = phi_661_;
+                            let _e345 = phi_662_;
+                            phi_663_ = _e343;
+                            phi_664_ = _e345;
                         } else {
-                            phi_662_ = bool();
-                            phi_663_ = true;
+                            phi_663_ = bool();
+                            phi_664_ = true;
                         }
-                        let _e346 = phi_662_;
-                        let _e348 = phi_663_;
-                        if _e348 {
-                            phi_667_ = false;
+                        let _e347 = phi_663_;
+                        let _e349 = phi_664_;
+                        if _e349 {
+                            phi_668_ = false;
                         } else {
-                            phi_667_ = _e346;
+                            phi_668_ = _e347;
                         }
-                        let _e350 = phi_667_;
-                        if _e350 {
-                            if (_e296 >= _e231) {
-                                if (_e296 <= (1f - _e231)) {
-                                    if (_e310 >= _e231) {
-                                        phi_694_ = (_e310 <= (1f - _e231));
-                                        phi_695_ = false;
+                        let _e351 = phi_668_;
+                        if _e351 {
+                            if (_e297 >= _e232) {
+                                if (_e297 <= (1f - _e232)) {
+                                    if (_e311 >= _e232) {
+                                        phi_695_ = (_e311 <= (1f - _e232));
+                                        phi_696_ = false;
                                     } else {
-                                        phi_694_ = bool();
-                                        phi_695_ = true;
+                                        phi_695_ = bool();
+                                        phi_696_ = true;
                                     }
-                                    let _e358 = phi_694_;
-                                    let _e360 = phi_695_;
-                                    phi_696_ = _e358;
-                                    phi_697_ = _e360;
+                                    let _e359 = phi_695_;
+                                    let _e361 = phi_696_;
+                                    phi_697_ = _e359;
+                                    phi_698_ = _e361;
                                 } else {
-                                    phi_696_ = bool();
-                                    phi_697_ = true;
+                                    phi_697_ = bool();
+                                    phi_698_ = true;
                                 }
-                                let _e362 = phi_696_;
-                                let _e364 = phi_697_;
-                                phi_698_ = _e362;
-                                phi_699_ = _e364;
+                                let _e363 = phi_697_;
+                                let _e365 = phi_698_;
+                                phi_699_ = _e363;
+                                phi_700_ = _e365;
                             } else {
-                                phi_698_ = bool();
-                                phi_699_ = true;
+                                phi_699_ = bool();
+                                phi_700_ = true;
                             }
-                            let _e366 = phi_698_;
-                            let _e368 = phi_699_;
-                            phi_700_ = _e366;
-                            phi_701_ = _e368;
+                            let _e367 = phi_699_;
+                            let _e369 = phi_700_;
+                            phi_701_ = _e367;
+                            phi_702_ = _e369;
                         } else {
-                            phi_700_ = bool();
-                            phi_701_ = true;
+                            phi_701_ = bool();
+                            phi_702_ = true;
                         }
-                        let _e370 = phi_700_;
-                        let _e372 = phi_701_;
-                        if _e372 {
-                            phi_705_ = false;
+                        let _e371 = phi_701_;
+                        let _e373 = phi_702_;
+                        if _e373 {
+                            phi_706_ = false;
                         } else {
-                            phi_705_ = _e370;
+                            phi_706_ = _e371;
                         }
-                        let _e374 = phi_705_;
-                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
-                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
-                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
-                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
-                        phi_714_ = _e396;
-                        phi_715_ = (_e258 + 1u);
-                        phi_716_ = lt_math_LevelPoint(_e258, _e396);
-                        phi_717_ = true;
+                        let _e375 = phi_706_;
+                        let _e382 = lt_math_LightPoint(vec2<f32>(_e297, _e257.uv.y), _e257.depth, _e257.is_inside);
+                        let _e389 = lt_math_LightPoint(vec2<f32>(_e382.uv.x, _e311), _e382.depth, _e382.is_inside);
+                        let _e393 = lt_math_LightPoint(_e389.uv, _e324, _e389.is_inside);
+                        let _e397 = lt_math_LightPoint(_e393.uv, _e393.depth, _e375);
+                        phi_715_ = _e397;
+                        phi_716_ = (_e259 + 1u);
+                        phi_717_ = lt_math_LevelPoint(_e259, _e397);
+                        phi_718_ = true;
                     }
-                    let _e400 = phi_714_;
-                    let _e402 = phi_715_;
-                    let _e404 = phi_716_;
-                    let _e406 = phi_717_;
-                    phi_549_ = _e400;
-                    phi_552_ = _e402;
-                    phi_554_ = _e404;
-                    phi_718_ = _e406;
+                    let _e401 = phi_715_;
+                    let _e403 = phi_716_;
+                    let _e405 = phi_717_;
+                    let _e407 = phi_718_;
+                    phi_550_ = _e401;
+                    phi_553_ = _e403;
+                    phi_555_ = _e405;
+                    phi_719_ = _e407;
                 } else {
-                    phi_549_ = lt_math_LightPoint();
-                    phi_552_ = u32();
-                    phi_554_ = lt_math_LevelPoint();
-                    phi_718_ = false;
+                    phi_550_ = lt_math_LightPoint();
+                    phi_553_ = u32();
+                    phi_555_ = lt_math_LevelPoint();
+                    phi_719_ = false;
                 }
-                let _e408 = phi_549_;
-                let _e410 = phi_552_;
-                let _e412 = phi_554_;
-                let _e414 = phi_718_;
+                let _e409 = phi_550_;
+                let _e411 = phi_553_;
+                let _e413 = phi_555_;
+                let _e415 = phi_719_;
                 continue;
                 continuing {
-                    phi_548_ = _e408;
-                    phi_551_ = _e410;
-                    phi_553_ = _e412;
-                    break if !(_e414);
+                    phi_549_ = _e409;
+                    phi_552_ = _e411;
+                    phi_554_ = _e413;
+                    break if !(_e415);
                 }
             }
-            let _e417 = local_2;
-            if _e417.point.is_inside {
+            let _e418 = local_2;
+            if _e418.point.is_inside {
                 if (0f > 0f) {
-                    let _e423 = local_3;
-                    if (_e423.level < _e55) {
+                    let _e424 = local_3;
+                    if (_e424.level < _e56) {
                     } else {
                         return;
                     }
-                    let _e428 = levels.member[(0u + _e423.level)];
-                    let _e434 = global[0u];
-                    if (_e428.row_w.x == _e434) {
-                        let _e437 = global[1u];
-                        if (_e428.row_w.y == _e437) {
-                            let _e440 = global[2u];
-                            phi_758_ = (_e428.row_w.z == _e440);
-                            phi_759_ = false;
+                    let _e429 = levels.member[(0u + _e424.level)];
+                    let _e435 = global[0u];
+                    if (_e429.row_w.x == _e435) {
+                        let _e438 = global[1u];
+                        if (_e429.row_w.y == _e438) {
+                            let _e441 = global[2u];
+                            phi_759_ = (_e429.row_w.z == _e441);
+                            phi_760_ = false;
                         } else {
-                            phi_758_ = bool();
-                            phi_759_ = true;
+                            phi_759_ = bool();
+                            phi_760_ = true;
                         }
-                        let _e443 = phi_758_;
-                        let _e445 = phi_759_;
-                        phi_760_ = _e443;
-                        phi_761_ = _e445;
+                        let _e444 = phi_759_;
+                        let _e446 = phi_760_;
+                        phi_761_ = _e444;
+                        phi_762_ = _e446;
                     } else {
-                        phi_760_ = bool();
-                        phi_761_ = true;
+                        phi_761_ = bool();
+                        phi_762_ = true;
                     }
-                    let _e447 = phi_760_;
-                    let _e449 = phi_761_;
-                    if _e449 {
-                        phi_765_ = false;
+                    let _e448 = phi_761_;
+                    let _e450 = phi_762_;
+                    if _e450 {
+                        phi_766_ = false;
                     } else {
-                        phi_765_ = _e447;
+                        phi_766_ = _e448;
                     }
-                    let _e451 = phi_765_;
-                    if _e451 {
-                        let _e453 = samples.member[_e61.first_primitive].normal;
-                        let _e455 = p.member.map_size;
-                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
-                        if (_e525 < 0.002f) {
-                            phi_847_ = _e525;
+                    let _e452 = phi_766_;
+                    if _e452 {
+                        let _e454 = samples.member[_e62.first_primitive].normal;
+                        let _e456 = p.member.map_size;
+                        let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
+                        if (_e526 < 0.002f) {
+                            phi_848_ = _e526;
                         } else {
-                            phi_847_ = 0.002f;
+                            phi_848_ = 0.002f;
                         }
-                        let _e528 = phi_847_;
-                        phi_964_ = _e528;
+                        let _e529 = phi_848_;
+                        phi_967_ = _e529;
                     } else {
-                        let _e530 = p.member.map_size;
-                        let _e536 = samples.member[_e61.first_primitive].position;
-                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
-                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
-                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
-                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
-                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
-                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
-                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
-                        let _e583 = samples.member[_e61.first_primitive].normal;
-                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
-                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
-                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
-                        let _e600 = samples.member[_e61.first_primitive].normal;
-                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
-                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
-                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
-                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
-                        if (_e642 < 0.002f) {
-                            phi_963_ = _e642;
+                        let _e531 = p.member.map_size;
+                        let _e537 = samples.member[_e62.first_primitive].position;
+                        let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
+                        let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
+                        let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
+                        let _e563 = ((_e429.row_x.z - (_e429.row_w.z * _e418.point.uv.x)) / _e548);
+                        let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
+                        let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
+                        let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
+                        let _e584 = samples.member[_e62.first_primitive].normal;
+                        let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
+                        let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
+                        let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
+                        let _e601 = samples.member[_e62.first_primitive].normal;
+                        let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
+                        let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
+                        let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
+                        let _e643 = ((abs(((((_e429.row_z.x * _e589) + (_e429.row_z.y * _e594)) + (_e429.row_z.z * _e599)) / (((_e561 * _e589) + (_e562 * _e594)) + (_e563 * _e599)))) + abs(((((_e429.row_z.x * _e606) + (_e429.row_z.y * _e611)) + (_e429.row_z.z * _e616)) / (((_e576 * _e606) + (_e577 * _e611)) + (_e578 * _e616))))) / f32(_e531));
+                        let _e645 = (16f / f32(_e531));
+                        if (_e643 < _e645) {
+                            phi_966_ = _e643;
                         } else {
-                            phi_963_ = 0.002f;
+                            phi_966_ = _e645;
                         }
-                        let _e645 = phi_963_;
-                        phi_964_ = _e645;
+                        let _e648 = phi_966_;
+                        phi_967_ = _e648;
                     }
-                    let _e647 = phi_964_;
-                    phi_967_ = (_e417.point.depth - (0f * _e647));
+                    let _e650 = phi_967_;
+                    phi_970_ = (_e418.point.depth - (0f * _e650));
                 } else {
-                    phi_967_ = _e417.point.depth;
+                    phi_970_ = _e418.point.depth;
                 }
-                let _e651 = phi_967_;
-                let _e657 = p.member.map_size;
-                let _e658 = f32(_e657);
-                let _e661 = ((_e417.point.uv.x * _e658) - 0.5f);
-                let _e662 = ((_e417.point.uv.y * _e658) - 0.5f);
-                if (_e661 > -8388608f) {
-                    let _e674 = f32(select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < bitcast<f32>(3472883712u))), 2147483647i, (_e661 > bitcast<f32>(1325400063u))), (_e661 == _e661)));
-                    if (_e674 > _e661) {
-                        phi_996_ = 1f;
+                let _e654 = phi_970_;
+                let _e660 = p.member.map_size;
+                let _e661 = f32(_e660);
+                let _e664 = ((_e418.point.uv.x * _e661) - 0.5f);
+                let _e665 = ((_e418.point.uv.y * _e661) - 0.5f);
+                if (_e664 > -8388608f) {
+                    let _e677 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e677 > _e664) {
+                        phi_999_ = 1f;
                     } else {
-                        phi_996_ = 0f;
+                        phi_999_ = 0f;
                     }
-                    let _e677 = phi_996_;
-                    if (_e661 < 8388608f) {
-                        phi_1001_ = (_e674 - _e677);
-                        phi_1002_ = false;
+                    let _e680 = phi_999_;
+                    if (_e664 < 8388608f) {
+                        phi_1004_ = (_e677 - _e680);
+                        phi_1005_ = false;
                     } else {
-                        phi_1001_ = f32();
-                        phi_1002_ = true;
+                        phi_1004_ = f32();
+                        phi_1005_ = true;
                     }
-                    let _e680 = phi_1001_;
-                    let _e682 = phi_1002_;
-                    phi_1003_ = _e680;
-                    phi_1004_ = _e682;
+                    let _e683 = phi_1004_;
+                    let _e685 = phi_1005_;
+                    phi_1006_ = _e683;
+                    phi_1007_ = _e685;
                 } else {
-                    phi_1003_ = f32();
-                    phi_1004_ = true;
+                    phi_1006_ = f32();
+                    phi_1007_ = true;
                 }
-                let _e684 = phi_1003_;
-                let _e686 = phi_1004_;
-                if _e686 {
-                    phi_1008_ = _e661;
+                let _e687 = phi_1006_;
+                let _e689 = phi_1007_;
+                if _e689 {
+                    phi_1011_ = _e664;
                 } else {
-                    phi_1008_ = _e684;
+                    phi_1011_ = _e687;
                 }
-                let _e688 = phi_1008_;
-                if (_e662 > -8388608f) {
-                    let _e700 = f32(select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < bitcast<f32>(3472883712u))), 2147483647i, (_e662 > bitcast<f32>(1325400063u))), (_e662 == _e662)));
-                    if (_e700 > _e662) {
-                        phi_1028_ = 1f;
+                let _e691 = phi_1011_;
+                if (_e665 > -8388608f) {
+                    let _e703 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
+                    if (_e703 > _e665) {
+                        phi_1031_ = 1f;
                     } else {
-                        phi_1028_ = 0f;
+                        phi_1031_ = 0f;
                     }
-                    let _e703 = phi_1028_;
-                    if (_e662 < 8388608f) {
-                        phi_1033_ = (_e700 - _e703);
-                        phi_1034_ = false;
+                    let _e706 = phi_1031_;
+                    if (_e665 < 8388608f) {
+                        phi_1036_ = (_e703 - _e706);
+                        phi_1037_ = false;
                     } else {
-                        phi_1033_ = f32();
-                        phi_1034_ = true;
+                        phi_1036_ = f32();
+                        phi_1037_ = true;
                     }
-                    let _e706 = phi_1033_;
-                    let _e708 = phi_1034_;
-                    phi_1035_ = _e706;
-                    phi_1036_ = _e708;
+                    let _e709 = phi_1036_;
+                    let _e711 = phi_1037_;
+                    phi_1038_ = _e709;
+                    phi_1039_ = _e711;
                 } else {
-                    phi_1035_ = f32();
-                    phi_1036_ = true;
+                    phi_1038_ = f32();
+                    phi_1039_ = true;
                 }
-                let _e710 = phi_1035_;
-                let _e712 = phi_1036_;
-                if _e712 {
-                    phi_1040_ = _e662;
+                let _e713 = phi_1038_;
+                let _e715 = phi_1039_;
+                if _e715 {
+                    phi_1043_ = _e665;
                 } else {
-                    phi_1040_ = _e710;
+                    phi_1043_ = _e713;
                 }
-                let _e714 = phi_1040_;
-                let _e715 = (_e661 - _e688);
-                let _e716 = (_e662 - _e714);
-                let _e725 = select(0i, select(select(i32(_e688), i32(-2147483648), (_e688 < bitcast<f32>(3472883712u))), 2147483647i, (_e688 > bitcast<f32>(1325400063u))), (_e688 == _e688));
-                let _e734 = select(0i, select(select(i32(_e714), i32(-2147483648), (_e714 < bitcast<f32>(3472883712u))), 2147483647i, (_e714 > bitcast<f32>(1325400063u))), (_e714 == _e714));
-                let _e737 = ((1f - _e715) * (1f - _e716));
-                let _e739 = (_e715 * (1f - _e716));
-                let _e741 = ((1f - _e715) * _e716);
-                let _e742 = (_e715 * _e716);
-                let _e744 = p.member.test;
-                let _e745 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e744);
-                let _e747 = p.member.map_size;
-                let _e749 = local_4;
-                local_1 = _e745;
-                let _e752 = ((_e749.level * _e747) * _e747);
-                let _e754 = (bitcast<i32>(_e747) - 1i);
-                if (_e725 > 0i) {
-                    phi_1089_ = _e725;
+                let _e717 = phi_1043_;
+                let _e718 = (_e664 - _e691);
+                let _e719 = (_e665 - _e717);
+                let _e728 = select(0i, select(select(i32(_e691), i32(-2147483648), (_e691 < bitcast<f32>(3472883712u))), 2147483647i, (_e691 > bitcast<f32>(1325400063u))), (_e691 == _e691));
+                let _e737 = select(0i, select(select(i32(_e717), i32(-2147483648), (_e717 < bitcast<f32>(3472883712u))), 2147483647i, (_e717 > bitcast<f32>(1325400063u))), (_e717 == _e717));
+                let _e740 = ((1f - _e718) * (1f - _e719));
+                let _e742 = (_e718 * (1f - _e719));
+                let _e744 = ((1f - _e718) * _e719);
+                let _e745 = (_e718 * _e719);
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_4;
+                local_1 = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
+                if (_e728 > 0i) {
+                    phi_1092_ = _e728;
                 } else {
-                    phi_1089_ = 0i;
+                    phi_1092_ = 0i;
                 }
-                let _e757 = phi_1089_;
-                if (_e734 > 0i) {
-                    phi_1094_ = _e734;
+                let _e760 = phi_1092_;
+                if (_e737 > 0i) {
+                    phi_1097_ = _e737;
                 } else {
-                    phi_1094_ = 0i;
+                    phi_1097_ = 0i;
                 }
-                let _e760 = phi_1094_;
-                if (_e757 < _e754) {
-                    phi_1099_ = _e757;
+                let _e763 = phi_1097_;
+                if (_e760 < _e757) {
+                    phi_1102_ = _e760;
                 } else {
-                    phi_1099_ = _e754;
+                    phi_1102_ = _e757;
                 }
-                let _e763 = phi_1099_;
-                if (_e760 < _e754) {
-                    phi_1104_ = _e760;
+                let _e766 = phi_1102_;
+                if (_e763 < _e757) {
+                    phi_1107_ = _e763;
                 } else {
-                    phi_1104_ = _e754;
+                    phi_1107_ = _e757;
                 }
-                let _e766 = phi_1104_;
-                let _e767 = bitcast<u32>(_e763);
-                let _e769 = (_e725 + 1i);
-                let _e770 = (_e734 + 1i);
-                if (_e769 > 0i) {
-                    phi_1113_ = _e769;
+                let _e769 = phi_1107_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e728 + 1i);
+                let _e773 = (_e737 + 1i);
+                if (_e772 > 0i) {
+                    phi_1116_ = _e772;
                 } else {
-                    phi_1113_ = 0i;
+                    phi_1116_ = 0i;
                 }
-                let _e773 = phi_1113_;
-                if (_e770 > 0i) {
-                    phi_1118_ = _e770;
+                let _e776 = phi_1116_;
+                if (_e773 > 0i) {
+                    phi_1121_ = _e773;
                 } else {
-                    phi_1118_ = 0i;
+                    phi_1121_ = 0i;
                 }
-                let _e776 = phi_1118_;
-                if (_e773 < _e754) {
-                    phi_1123_ = _e773;
+                let _e779 = phi_1121_;
+                if (_e776 < _e757) {
+                    phi_1126_ = _e776;
                 } else {
-                    phi_1123_ = _e754;
+                    phi_1126_ = _e757;
                 }
-                let _e779 = phi_1123_;
-                if (_e776 < _e754) {
-                    phi_1128_ = _e776;
+                let _e782 = phi_1126_;
+                if (_e779 < _e757) {
+                    phi_1131_ = _e779;
                 } else {
-                    phi_1128_ = _e754;
+                    phi_1131_ = _e757;
                 }
-                let _e782 = phi_1128_;
-                let _e783 = bitcast<u32>(_e779);
-                let _e785 = (bitcast<u32>(_e766) * _e747);
-                let _e786 = (bitcast<u32>(_e782) * _e747);
-                let _e791 = ((_e785 + _e767) + _e752);
-                let _e792 = ((_e785 + _e783) + _e752);
-                let _e793 = ((_e786 + _e767) + _e752);
-                let _e794 = ((_e786 + _e783) + _e752);
-                if (_e791 < _e50) {
+                let _e785 = phi_1131_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e51) {
                 } else {
                     return;
                 }
-                let _e798 = map.member[(0u + _e791)];
-                if (_e792 < _e50) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e51) {
                 } else {
                     return;
                 }
-                let _e810 = map.member[(0u + _e792)];
-                if (_e793 < _e50) {
+                let _e813 = map.member[(0u + _e795)];
+                if (_e796 < _e51) {
                 } else {
                     return;
                 }
-                let _e826 = map.member[(0u + _e793)];
-                if (_e794 < _e50) {
+                let _e829 = map.member[(0u + _e796)];
+                if (_e797 < _e51) {
                 } else {
                     return;
                 }
-                let _e842 = map.member[(0u + _e794)];
-                let _e856 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e798.x * _e737) + (_e810.x * _e739)) + (_e826.x * _e741)) + (_e842.x * _e742)), ((((_e798.y * _e737) + (_e810.y * _e739)) + (_e826.y * _e741)) + (_e842.y * _e742)), ((((_e798.z * _e737) + (_e810.z * _e739)) + (_e826.z * _e741)) + (_e842.z * _e742)), ((((_e798.w * _e737) + (_e810.w * _e739)) + (_e826.w * _e741)) + (_e842.w * _e742))), _e651);
-                let _e858 = p.member.epsilon;
-                if (_e856 <= _e858) {
-                    phi_1223_ = true;
+                let _e845 = map.member[(0u + _e797)];
+                let _e859 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e801.x * _e740) + (_e813.x * _e742)) + (_e829.x * _e744)) + (_e845.x * _e745)), ((((_e801.y * _e740) + (_e813.y * _e742)) + (_e829.y * _e744)) + (_e845.y * _e745)), ((((_e801.z * _e740) + (_e813.z * _e742)) + (_e829.z * _e744)) + (_e845.z * _e745)), ((((_e801.w * _e740) + (_e813.w * _e742)) + (_e829.w * _e744)) + (_e845.w * _e745))), _e654);
+                let _e861 = p.member.epsilon;
+                if (_e859 <= _e861) {
+                    phi_1226_ = true;
                 } else {
-                    phi_1223_ = (_e856 >= (1f - _e858));
+                    phi_1226_ = (_e859 >= (1f - _e861));
                 }
-                let _e863 = phi_1223_;
-                if ((bitcast<u32>(_e856) & 2147483647u) > 2139095040u) {
-                    phi_1231_ = true;
+                let _e866 = phi_1226_;
+                if ((bitcast<u32>(_e859) & 2147483647u) > 2139095040u) {
+                    phi_1234_ = true;
                 } else {
-                    phi_1231_ = !(_e863);
+                    phi_1234_ = !(_e866);
                 }
-                let _e869 = phi_1231_;
-                if _e869 {
-                    if (_e856 > 0f) {
-                        if (_e856 < 1f) {
-                            phi_1243_ = false;
+                let _e872 = phi_1234_;
+                if _e872 {
+                    if (_e859 > 0f) {
+                        if (_e859 < 1f) {
+                            phi_1246_ = false;
                         } else {
-                            phi_1243_ = true;
+                            phi_1246_ = true;
                         }
-                        let _e873 = phi_1243_;
-                        phi_1244_ = _e873;
+                        let _e876 = phi_1246_;
+                        phi_1247_ = _e876;
                     } else {
-                        phi_1244_ = true;
+                        phi_1247_ = true;
                     }
-                    let _e875 = phi_1244_;
-                    if _e875 {
-                        phi_1248_ = 0.5f;
+                    let _e878 = phi_1247_;
+                    if _e878 {
+                        phi_1251_ = 0.5f;
                     } else {
-                        phi_1248_ = _e856;
+                        phi_1251_ = _e859;
                     }
-                    let _e877 = phi_1248_;
-                    phi_1256_ = evaluate_Verdict(_e877, true);
+                    let _e880 = phi_1251_;
+                    phi_1259_ = evaluate_Verdict(_e880, true);
                 } else {
-                    if (_e856 > 0.5f) {
-                        phi_1254_ = 1f;
+                    if (_e859 > 0.5f) {
+                        phi_1257_ = 1f;
                     } else {
-                        phi_1254_ = 0f;
+                        phi_1257_ = 0f;
                     }
-                    let _e881 = phi_1254_;
-                    phi_1256_ = evaluate_Verdict(_e881, false);
+                    let _e884 = phi_1257_;
+                    phi_1259_ = evaluate_Verdict(_e884, false);
                 }
-                let _e884 = phi_1256_;
-                phi_1261_ = evaluate_Verdict(_e884.visibility, _e884.is_doubted);
+                let _e887 = phi_1259_;
+                phi_1264_ = evaluate_Verdict(_e887.visibility, _e887.is_doubted);
             } else {
-                phi_1261_ = evaluate_Verdict(0.5f, true);
+                phi_1264_ = evaluate_Verdict(0.5f, true);
             }
-            let _e890 = phi_1261_;
-            phi_1262_ = _e890;
+            let _e893 = phi_1264_;
+            phi_1265_ = _e893;
         }
-        let _e892 = phi_1262_;
-        visibility.member[_e61.first_primitive] = _e892.visibility;
-        phi_1266_ = _e892.is_doubted;
-        phi_1267_ = _e61.first_primitive;
+        let _e895 = phi_1265_;
+        visibility.member[_e62.first_primitive] = _e895.visibility;
+        phi_1269_ = _e895.is_doubted;
+        phi_1270_ = _e62.first_primitive;
     } else {
-        phi_1266_ = false;
-        phi_1267_ = 0u;
+        phi_1269_ = false;
+        phi_1270_ = 0u;
     }
-    let _e897 = phi_1266_;
-    let _e899 = phi_1267_;
-    if (_e45 == 0u) {
+    let _e900 = phi_1269_;
+    let _e902 = phi_1270_;
+    if (_e46 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e897 {
-        let _e903 = atomicAdd((&shared_[0u]), 1u);
-        phi_1278_ = _e903;
+    if _e900 {
+        let _e906 = atomicAdd((&shared_[0u]), 1u);
+        phi_1281_ = _e906;
     } else {
-        phi_1278_ = 0u;
+        phi_1281_ = 0u;
     }
-    let _e905 = phi_1278_;
+    let _e908 = phi_1281_;
     workgroupBarrier();
-    if (_e45 == 0u) {
-        let _e909 = atomicLoad((&shared_[0u]));
-        let _e910 = atomicAdd((&list.member[3u]), _e909);
-        atomicStore((&shared_[1u]), _e910);
+    if (_e46 == 0u) {
+        let _e912 = atomicLoad((&shared_[0u]));
+        let _e913 = atomicAdd((&list.member[3u]), _e912);
+        atomicStore((&shared_[1u]), _e913);
     }
     workgroupBarrier();
-    if _e897 {
-        let _e913 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e913) + _e905)]), _e899);
+    if _e900 {
+        let _e916 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e916) + _e908)]), _e902);
     }
     return;
 }

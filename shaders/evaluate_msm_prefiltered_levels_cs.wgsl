@@ -96,37 +96,37 @@ var<storage> levels: type_41;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_148_: lt_bvh_traverse_Tree;
-    var phi_149_: bool;
-    var phi_150_: lt_bvh_traverse_Tree;
-    var phi_151_: bool;
-    var phi_156_: lt_bvh_traverse_Tree;
+    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_150_: bool;
+    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_152_: bool;
+    var phi_157_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_148_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_149_ = false;
+            phi_149_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_150_ = false;
         } else {
-            phi_148_ = lt_bvh_traverse_Tree();
-            phi_149_ = true;
+            phi_149_ = lt_bvh_traverse_Tree();
+            phi_150_ = true;
         }
-        let _e52 = phi_148_;
-        let _e54 = phi_149_;
-        phi_150_ = _e52;
-        phi_151_ = _e54;
+        let _e53 = phi_149_;
+        let _e55 = phi_150_;
+        phi_151_ = _e53;
+        phi_152_ = _e55;
     } else {
-        phi_150_ = lt_bvh_traverse_Tree();
-        phi_151_ = true;
+        phi_151_ = lt_bvh_traverse_Tree();
+        phi_152_ = true;
     }
-    let _e56 = phi_150_;
-    let _e58 = phi_151_;
-    if _e58 {
-        phi_156_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e57 = phi_151_;
+    let _e59 = phi_152_;
+    if _e59 {
+        phi_157_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_156_ = _e56;
+        phi_157_ = _e57;
     }
-    let _e63 = phi_156_;
-    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
+    let _e64 = phi_157_;
+    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -134,204 +134,203 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_205_: f32;
     var phi_206_: f32;
     var phi_207_: f32;
-    var phi_213_: bool;
-    var phi_235_: f32;
+    var phi_208_: f32;
+    var phi_214_: bool;
     var phi_236_: f32;
     var phi_237_: f32;
     var phi_238_: f32;
-    var phi_239_: bool;
-    var phi_240_: f32;
-    var phi_241_: bool;
-    var phi_279_: vec2<f32>;
-    var phi_313_: f32;
+    var phi_239_: f32;
+    var phi_240_: bool;
+    var phi_241_: f32;
+    var phi_242_: bool;
+    var phi_280_: vec2<f32>;
     var phi_314_: f32;
     var phi_315_: f32;
-    var phi_344_: f32;
+    var phi_316_: f32;
     var phi_345_: f32;
     var phi_346_: f32;
-    var phi_350_: f32;
+    var phi_347_: f32;
     var phi_351_: f32;
     var phi_352_: f32;
     var phi_353_: f32;
+    var phi_354_: f32;
 
-    let _e42 = (*param_4);
-    let _e43 = (1f - _e42);
-    let _e52 = (0.5f * _e42);
-    let _e53 = ((param_5.x * _e43) + _e52);
-    let _e54 = ((param_5.y * _e43) + _e52);
-    let _e56 = ((param_5.w * _e43) + _e52);
-    let _e58 = (_e54 - (_e53 * _e53));
-    let _e60 = (((param_5.z * _e43) + _e52) - (_e53 * _e54));
+    let _e43 = (*param_4);
+    let _e44 = (1f - _e43);
+    let _e53 = (0.5f * _e43);
+    let _e54 = ((param_5.x * _e44) + _e53);
+    let _e55 = ((param_5.y * _e44) + _e53);
+    let _e57 = ((param_5.w * _e44) + _e53);
+    let _e59 = (_e55 - (_e54 * _e54));
+    let _e61 = (((param_5.z * _e44) + _e53) - (_e54 * _e55));
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_207_ = param_6;
+        phi_208_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_206_ = 0f;
+            phi_207_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_205_ = 1f;
+                phi_206_ = 1f;
             } else {
-                phi_205_ = param_6;
+                phi_206_ = param_6;
             }
-            let _e72 = phi_205_;
-            phi_206_ = _e72;
+            let _e73 = phi_206_;
+            phi_207_ = _e73;
         }
-        let _e74 = phi_206_;
-        phi_207_ = _e74;
+        let _e75 = phi_207_;
+        phi_208_ = _e75;
     }
-    let _e76 = phi_207_;
-    if (_e53 == _e56) {
-        phi_213_ = (_e53 > 0.5f);
+    let _e77 = phi_208_;
+    if (_e54 == _e57) {
+        phi_214_ = (_e54 > 0.5f);
     } else {
-        phi_213_ = false;
+        phi_214_ = false;
     }
-    let _e80 = phi_213_;
-    if _e80 {
-        if (_e76 > 0f) {
-            if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
-                phi_237_ = _e53;
+    let _e81 = phi_214_;
+    if _e81 {
+        if (_e77 > 0f) {
+            if ((bitcast<u32>(_e54) & 2147483647u) > 2139095040u) {
+                phi_238_ = _e54;
             } else {
-                if (_e53 < 0f) {
-                    phi_236_ = 0f;
+                if (_e54 < 0f) {
+                    phi_237_ = 0f;
                 } else {
-                    if (_e53 > 1f) {
-                        phi_235_ = 1f;
+                    if (_e54 > 1f) {
+                        phi_236_ = 1f;
                     } else {
-                        phi_235_ = _e53;
+                        phi_236_ = _e54;
                     }
-                    let _e88 = phi_235_;
-                    phi_236_ = _e88;
+                    let _e89 = phi_236_;
+                    phi_237_ = _e89;
                 }
-                let _e90 = phi_236_;
-                phi_237_ = _e90;
+                let _e91 = phi_237_;
+                phi_238_ = _e91;
             }
-            let _e92 = phi_237_;
-            phi_238_ = _e92;
-            phi_239_ = false;
+            let _e93 = phi_238_;
+            phi_239_ = _e93;
+            phi_240_ = false;
         } else {
-            phi_238_ = f32();
-            phi_239_ = true;
+            phi_239_ = f32();
+            phi_240_ = true;
         }
-        let _e94 = phi_238_;
-        let _e96 = phi_239_;
-        phi_240_ = _e94;
-        phi_241_ = _e96;
+        let _e95 = phi_239_;
+        let _e97 = phi_240_;
+        phi_241_ = _e95;
+        phi_242_ = _e97;
     } else {
-        phi_240_ = f32();
-        phi_241_ = true;
+        phi_241_ = f32();
+        phi_242_ = true;
     }
-    let _e98 = phi_240_;
-    let _e100 = phi_241_;
-    if _e100 {
-        let _e101 = (_e60 / _e58);
-        let _e102 = (_e76 - _e53);
-        let _e108 = (((((_e76 * _e76) - _e54) - (_e101 * _e102)) * _e58) / (((_e56 - (_e54 * _e54)) * _e58) - (_e60 * _e60)));
-        let _e111 = ((_e102 / _e58) - (_e101 * _e108));
-        let _e117 = ((0.5f * _e111) / _e108);
-        let _e120 = ((_e117 * _e117) - (((1f - (_e111 * _e53)) - (_e108 * _e54)) / _e108));
-        if (_e120 >= 0f) {
-            let _e122 = sqrt(_e120);
-            phi_279_ = vec2<f32>((-(_e117) - _e122), (-(_e117) + _e122));
+    let _e99 = phi_241_;
+    let _e101 = phi_242_;
+    if _e101 {
+        let _e102 = (_e61 / _e59);
+        let _e103 = (_e77 - _e54);
+        let _e109 = (((((_e77 * _e77) - _e55) - (_e102 * _e103)) * _e59) / (((_e57 - (_e55 * _e55)) * _e59) - (_e61 * _e61)));
+        let _e112 = ((_e103 / _e59) - (_e102 * _e109));
+        let _e118 = ((0.5f * _e112) / _e109);
+        let _e121 = ((_e118 * _e118) - (((1f - (_e112 * _e54)) - (_e109 * _e55)) / _e109));
+        if (_e121 >= 0f) {
+            let _e123 = sqrt(_e121);
+            phi_280_ = vec2<f32>((-(_e118) - _e123), (-(_e118) + _e123));
         } else {
-            phi_279_ = vec2(bitcast<f32>((bitcast<u32>(_e120) | 2143289344u)));
+            phi_280_ = vec2(bitcast<f32>((bitcast<u32>(_e121) | 2143289344u)));
         }
-        let _e133 = phi_279_;
-        if (_e76 <= _e133.x) {
-            phi_352_ = 1f;
+        let _e134 = phi_280_;
+        if (_e77 <= _e134.x) {
+            phi_353_ = 1f;
         } else {
-            if (_e76 > _e133.y) {
-                let _e146 = (((_e54 - (_e53 * (_e133.x + _e133.y))) + (_e133.x * _e133.y)) / ((_e76 - _e133.x) * (_e76 - _e133.y)));
-                if ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u) {
-                    phi_315_ = _e146;
+            if (_e77 > _e134.y) {
+                let _e147 = (((_e55 - (_e54 * (_e134.x + _e134.y))) + (_e134.x * _e134.y)) / ((_e77 - _e134.x) * (_e77 - _e134.y)));
+                if ((bitcast<u32>(_e147) & 2147483647u) > 2139095040u) {
+                    phi_316_ = _e147;
                 } else {
-                    if (_e146 < 0f) {
-                        phi_314_ = 0f;
+                    if (_e147 < 0f) {
+                        phi_315_ = 0f;
                     } else {
-                        if (_e146 > 1f) {
-                            phi_313_ = 1f;
+                        if (_e147 > 1f) {
+                            phi_314_ = 1f;
                         } else {
-                            phi_313_ = _e146;
+                            phi_314_ = _e147;
                         }
-                        let _e153 = phi_313_;
-                        phi_314_ = _e153;
+                        let _e154 = phi_314_;
+                        phi_315_ = _e154;
                     }
-                    let _e155 = phi_314_;
-                    phi_315_ = _e155;
+                    let _e156 = phi_315_;
+                    phi_316_ = _e156;
                 }
-                let _e157 = phi_315_;
-                phi_351_ = _e157;
+                let _e158 = phi_316_;
+                phi_352_ = _e158;
             } else {
-                if (_e76 > _e133.x) {
-                    let _e168 = (1f - (((_e54 - (_e53 * (_e76 + _e133.y))) + (_e76 * _e133.y)) / ((_e133.x - _e76) * (_e133.x - _e133.y))));
-                    if ((bitcast<u32>(_e168) & 2147483647u) > 2139095040u) {
-                        phi_346_ = _e168;
+                if (_e77 > _e134.x) {
+                    let _e169 = (1f - (((_e55 - (_e54 * (_e77 + _e134.y))) + (_e77 * _e134.y)) / ((_e134.x - _e77) * (_e134.x - _e134.y))));
+                    if ((bitcast<u32>(_e169) & 2147483647u) > 2139095040u) {
+                        phi_347_ = _e169;
                     } else {
-                        if (_e168 < 0f) {
-                            phi_345_ = 0f;
+                        if (_e169 < 0f) {
+                            phi_346_ = 0f;
                         } else {
-                            if (_e168 > 1f) {
-                                phi_344_ = 1f;
+                            if (_e169 > 1f) {
+                                phi_345_ = 1f;
                             } else {
-                                phi_344_ = _e168;
+                                phi_345_ = _e169;
                             }
-                            let _e175 = phi_344_;
-                            phi_345_ = _e175;
+                            let _e176 = phi_345_;
+                            phi_346_ = _e176;
                         }
-                        let _e177 = phi_345_;
-                        phi_346_ = _e177;
+                        let _e178 = phi_346_;
+                        phi_347_ = _e178;
                     }
-                    let _e179 = phi_346_;
-                    phi_350_ = _e179;
+                    let _e180 = phi_347_;
+                    phi_351_ = _e180;
                 } else {
-                    phi_350_ = bitcast<f32>((bitcast<u32>(_e133.x) | 2143289344u));
+                    phi_351_ = bitcast<f32>((bitcast<u32>(_e134.x) | 2143289344u));
                 }
-                let _e184 = phi_350_;
-                phi_351_ = _e184;
+                let _e185 = phi_351_;
+                phi_352_ = _e185;
             }
-            let _e186 = phi_351_;
-            phi_352_ = _e186;
+            let _e187 = phi_352_;
+            phi_353_ = _e187;
         }
-        let _e188 = phi_352_;
-        phi_353_ = _e188;
+        let _e189 = phi_353_;
+        phi_354_ = _e189;
     } else {
-        phi_353_ = _e98;
+        phi_354_ = _e99;
     }
-    let _e190 = phi_353_;
-    return _e190;
+    let _e191 = phi_354_;
+    return _e191;
 }
 
 fn function_() {
     var local: f32;
-    var phi_413_: bool;
     var phi_414_: bool;
     var phi_415_: bool;
     var phi_416_: bool;
-    var phi_420_: bool;
-    var phi_490_: bool;
+    var phi_417_: bool;
+    var phi_421_: bool;
     var phi_491_: bool;
-    var phi_502_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_503_: bool;
-    var phi_504_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_505_: bool;
-    var phi_512_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_516_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_536_: lt_math_LightPoint;
-    var phi_539_: u32;
-    var phi_541_: lt_math_LevelPoint;
-    var phi_627_: bool;
-    var phi_636_: bool;
-    var phi_645_: bool;
+    var phi_492_: bool;
+    var phi_503_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_504_: bool;
+    var phi_505_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_506_: bool;
+    var phi_513_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_517_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_537_: lt_math_LightPoint;
+    var phi_540_: u32;
+    var phi_542_: lt_math_LevelPoint;
+    var phi_628_: bool;
+    var phi_637_: bool;
     var phi_646_: bool;
     var phi_647_: bool;
     var phi_648_: bool;
     var phi_649_: bool;
     var phi_650_: bool;
     var phi_651_: bool;
-    var phi_655_: bool;
-    var phi_682_: bool;
+    var phi_652_: bool;
+    var phi_656_: bool;
     var phi_683_: bool;
     var phi_684_: bool;
     var phi_685_: bool;
@@ -339,595 +338,597 @@ fn function_() {
     var phi_687_: bool;
     var phi_688_: bool;
     var phi_689_: bool;
-    var phi_693_: bool;
-    var phi_702_: lt_math_LightPoint;
-    var phi_703_: u32;
-    var phi_704_: lt_math_LevelPoint;
-    var phi_705_: bool;
-    var phi_537_: lt_math_LightPoint;
-    var phi_540_: u32;
-    var phi_542_: lt_math_LevelPoint;
+    var phi_690_: bool;
+    var phi_694_: bool;
+    var phi_703_: lt_math_LightPoint;
+    var phi_704_: u32;
+    var phi_705_: lt_math_LevelPoint;
     var phi_706_: bool;
+    var phi_538_: lt_math_LightPoint;
+    var phi_541_: u32;
+    var phi_543_: lt_math_LevelPoint;
+    var phi_707_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_746_: bool;
     var phi_747_: bool;
     var phi_748_: bool;
     var phi_749_: bool;
-    var phi_753_: bool;
-    var phi_835_: f32;
-    var phi_951_: f32;
-    var phi_952_: f32;
+    var phi_750_: bool;
+    var phi_754_: bool;
+    var phi_836_: f32;
+    var phi_954_: f32;
     var phi_955_: f32;
-    var phi_984_: f32;
-    var phi_989_: f32;
-    var phi_990_: bool;
-    var phi_991_: f32;
-    var phi_992_: bool;
-    var phi_996_: f32;
-    var phi_1016_: f32;
-    var phi_1021_: f32;
-    var phi_1022_: bool;
-    var phi_1023_: f32;
-    var phi_1024_: bool;
-    var phi_1028_: f32;
+    var phi_958_: f32;
+    var phi_987_: f32;
+    var phi_992_: f32;
+    var phi_993_: bool;
+    var phi_994_: f32;
+    var phi_995_: bool;
+    var phi_999_: f32;
+    var phi_1019_: f32;
+    var phi_1024_: f32;
+    var phi_1025_: bool;
+    var phi_1026_: f32;
+    var phi_1027_: bool;
+    var phi_1031_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1077_: i32;
-    var phi_1082_: i32;
-    var phi_1087_: i32;
-    var phi_1092_: i32;
-    var phi_1101_: i32;
-    var phi_1106_: i32;
-    var phi_1111_: i32;
-    var phi_1116_: i32;
-    var phi_1205_: evaluate_Verdict;
-    var phi_1206_: evaluate_Verdict;
-    var phi_1207_: bool;
+    var phi_1080_: i32;
+    var phi_1085_: i32;
+    var phi_1090_: i32;
+    var phi_1095_: i32;
+    var phi_1104_: i32;
+    var phi_1109_: i32;
+    var phi_1114_: i32;
+    var phi_1119_: i32;
     var phi_1208_: evaluate_Verdict;
     var phi_1209_: evaluate_Verdict;
     var phi_1210_: bool;
-    var phi_1214_: evaluate_Verdict;
+    var phi_1211_: evaluate_Verdict;
+    var phi_1212_: evaluate_Verdict;
+    var phi_1213_: bool;
+    var phi_1217_: evaluate_Verdict;
 
-    let _e40 = id_1;
-    let _e47 = arrayLength((&map.member));
-    let _e53 = arrayLength((&levels.member));
-    let _e56 = p.member.size[0u];
-    let _e58 = p.member.size[1u];
-    let _e59 = lt_shaders_entry_pixel_index(_e40, _e56, _e58);
-    if (bitcast<i32>(_e59.root) != 0i) {
-        let _e65 = p.member.level_count;
-        if (_e59.first_primitive < arrayLength((&samples.member))) {
+    let _e41 = id_1;
+    let _e48 = arrayLength((&map.member));
+    let _e54 = arrayLength((&levels.member));
+    let _e57 = p.member.size[0u];
+    let _e59 = p.member.size[1u];
+    let _e60 = lt_shaders_entry_pixel_index(_e41, _e57, _e59);
+    if (bitcast<i32>(_e60.root) != 0i) {
+        let _e66 = p.member.level_count;
+        if (_e60.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e72 = samples.member[(0u + _e59.first_primitive)].normal[0u];
-        let _e74 = global[0u];
-        if (_e72 == _e74) {
-            let _e77 = samples.member[(0u + _e59.first_primitive)].normal[1u];
-            let _e79 = global[1u];
-            if (_e77 == _e79) {
-                let _e82 = samples.member[(0u + _e59.first_primitive)].normal[2u];
-                let _e84 = global[2u];
-                phi_413_ = (_e82 == _e84);
-                phi_414_ = false;
+        let _e73 = samples.member[(0u + _e60.first_primitive)].normal[0u];
+        let _e75 = global[0u];
+        if (_e73 == _e75) {
+            let _e78 = samples.member[(0u + _e60.first_primitive)].normal[1u];
+            let _e80 = global[1u];
+            if (_e78 == _e80) {
+                let _e83 = samples.member[(0u + _e60.first_primitive)].normal[2u];
+                let _e85 = global[2u];
+                phi_414_ = (_e83 == _e85);
+                phi_415_ = false;
             } else {
-                phi_413_ = bool();
-                phi_414_ = true;
+                phi_414_ = bool();
+                phi_415_ = true;
             }
-            let _e87 = phi_413_;
-            let _e89 = phi_414_;
-            phi_415_ = _e87;
-            phi_416_ = _e89;
+            let _e88 = phi_414_;
+            let _e90 = phi_415_;
+            phi_416_ = _e88;
+            phi_417_ = _e90;
         } else {
-            phi_415_ = bool();
-            phi_416_ = true;
+            phi_416_ = bool();
+            phi_417_ = true;
         }
-        let _e91 = phi_415_;
-        let _e93 = phi_416_;
-        if _e93 {
-            phi_420_ = false;
+        let _e92 = phi_416_;
+        let _e94 = phi_417_;
+        if _e94 {
+            phi_421_ = false;
         } else {
-            phi_420_ = _e91;
+            phi_421_ = _e92;
         }
-        let _e95 = phi_420_;
-        if !(_e95) {
-            let _e98 = samples.member[(0u + _e59.first_primitive)].position;
-            let _e100 = p.member.light.place;
-            let _e106 = p.member.light.place[3u];
-            let _e113 = (_e100.x - (_e98.x * _e106));
-            let _e114 = (_e100.y - (_e98.y * _e106));
-            let _e115 = (_e100.z - (_e98.z * _e106));
-            let _e117 = samples.member[(0u + _e59.first_primitive)].normal;
-            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
-                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
-                let _e133 = p.member.light.axis;
-                let _e145 = p.member.light.place[3u];
-                if (_e145 == 0f) {
-                    phi_491_ = true;
+        let _e96 = phi_421_;
+        if !(_e96) {
+            let _e99 = samples.member[(0u + _e60.first_primitive)].position;
+            let _e101 = p.member.light.place;
+            let _e107 = p.member.light.place[3u];
+            let _e114 = (_e101.x - (_e99.x * _e107));
+            let _e115 = (_e101.y - (_e99.y * _e107));
+            let _e116 = (_e101.z - (_e99.z * _e107));
+            let _e118 = samples.member[(0u + _e60.first_primitive)].normal;
+            if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
+                let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
+                let _e134 = p.member.light.axis;
+                let _e146 = p.member.light.place[3u];
+                if (_e146 == 0f) {
+                    phi_492_ = true;
                 } else {
-                    let _e148 = p.member.light.range_squared;
-                    if (_e131 <= _e148) {
-                        let _e151 = p.member.light.cos_outer;
-                        phi_490_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
+                    let _e149 = p.member.light.range_squared;
+                    if (_e132 <= _e149) {
+                        let _e152 = p.member.light.cos_outer;
+                        phi_491_ = (-((((_e114 * _e134.x) + (_e115 * _e134.y)) + (_e116 * _e134.z))) >= (_e152 * sqrt(_e132)));
                     } else {
-                        phi_490_ = false;
+                        phi_491_ = false;
                     }
-                    let _e156 = phi_490_;
-                    phi_491_ = _e156;
+                    let _e157 = phi_491_;
+                    phi_492_ = _e157;
                 }
-                let _e158 = phi_491_;
-                if _e158 {
-                    let _e160 = samples.member[(0u + _e59.first_primitive)].flags;
-                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-                    phi_502_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
-                    phi_503_ = false;
+                let _e159 = phi_492_;
+                if _e159 {
+                    let _e161 = samples.member[(0u + _e60.first_primitive)].flags;
+                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
+                    phi_503_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
+                    phi_504_ = false;
                 } else {
-                    phi_502_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_503_ = true;
+                    phi_503_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_504_ = true;
                 }
-                let _e179 = phi_502_;
-                let _e181 = phi_503_;
-                phi_504_ = _e179;
-                phi_505_ = _e181;
+                let _e180 = phi_503_;
+                let _e182 = phi_504_;
+                phi_505_ = _e180;
+                phi_506_ = _e182;
             } else {
-                phi_504_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_505_ = true;
+                phi_505_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_506_ = true;
             }
-            let _e183 = phi_504_;
-            let _e185 = phi_505_;
-            if _e185 {
-                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
-                phi_512_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
+            let _e184 = phi_505_;
+            let _e186 = phi_506_;
+            if _e186 {
+                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
+                phi_513_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
             } else {
-                phi_512_ = _e183;
+                phi_513_ = _e184;
             }
-            let _e202 = phi_512_;
-            phi_516_ = _e202;
+            let _e203 = phi_513_;
+            phi_517_ = _e203;
         } else {
-            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
-            phi_516_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
+            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
+            phi_517_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
         }
-        let _e219 = phi_516_;
-        if _e219.unnamed_1 {
-            phi_1208_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
-            phi_1209_ = evaluate_Verdict();
-            phi_1210_ = true;
+        let _e220 = phi_517_;
+        if _e220.unnamed_1 {
+            phi_1211_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
+            phi_1212_ = evaluate_Verdict();
+            phi_1213_ = true;
         } else {
-            let _e227 = samples.member[(0u + _e59.first_primitive)].position;
-            let _e229 = p.member.map_size;
-            let _e231 = (0.5f / f32(_e229));
-            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
-            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
-            phi_536_ = lt_math_LightPoint();
-            phi_539_ = 0u;
-            phi_541_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
+            let _e228 = samples.member[(0u + _e60.first_primitive)].position;
+            let _e230 = p.member.map_size;
+            let _e232 = (0.5f / f32(_e230));
+            let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e246 = lt_math_LightPoint(vec2<f32>(_e239.uv.x, 0f), _e239.depth, _e239.is_inside);
+            let _e250 = lt_math_LightPoint(_e246.uv, 0f, _e246.is_inside);
+            phi_537_ = lt_math_LightPoint();
+            phi_540_ = 0u;
+            phi_542_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e250.uv, _e250.depth, false));
             loop {
-                let _e256 = phi_536_;
-                let _e258 = phi_539_;
-                let _e260 = phi_541_;
-                local_1 = _e260;
-                local_2 = _e260;
-                local_3 = _e260;
-                if (_e258 < _e65) {
-                    if _e260.point.is_inside {
-                        phi_702_ = lt_math_LightPoint();
-                        phi_703_ = u32();
-                        phi_704_ = lt_math_LevelPoint();
-                        phi_705_ = false;
+                let _e257 = phi_537_;
+                let _e259 = phi_540_;
+                let _e261 = phi_542_;
+                local_1 = _e261;
+                local_2 = _e261;
+                local_3 = _e261;
+                if (_e259 < _e66) {
+                    if _e261.point.is_inside {
+                        phi_703_ = lt_math_LightPoint();
+                        phi_704_ = u32();
+                        phi_705_ = lt_math_LevelPoint();
+                        phi_706_ = false;
                     } else {
-                        if (_e258 < _e53) {
+                        if (_e259 < _e54) {
                         } else {
                             return;
                         }
-                        let _e271 = levels.member[(0u + _e258)].row_w;
-                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
-                        let _e284 = levels.member[(0u + _e258)].row_x;
-                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
-                        let _e298 = levels.member[(0u + _e258)].row_y;
-                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
-                        let _e312 = levels.member[(0u + _e258)].row_z;
-                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
-                        if (_e282 > 0f) {
-                            if (_e296 >= 0f) {
-                                phi_627_ = (_e296 <= 1f);
+                        let _e272 = levels.member[(0u + _e259)].row_w;
+                        let _e283 = ((((_e272.x * _e228.x) + (_e272.y * _e228.y)) + (_e272.z * _e228.z)) + (_e272.w * 1f));
+                        let _e285 = levels.member[(0u + _e259)].row_x;
+                        let _e297 = (((((_e285.x * _e228.x) + (_e285.y * _e228.y)) + (_e285.z * _e228.z)) + (_e285.w * 1f)) / _e283);
+                        let _e299 = levels.member[(0u + _e259)].row_y;
+                        let _e311 = (((((_e299.x * _e228.x) + (_e299.y * _e228.y)) + (_e299.z * _e228.z)) + (_e299.w * 1f)) / _e283);
+                        let _e313 = levels.member[(0u + _e259)].row_z;
+                        let _e324 = ((((_e313.x * _e228.x) + (_e313.y * _e228.y)) + (_e313.z * _e228.z)) + (_e313.w * 1f));
+                        if (_e283 > 0f) {
+                            if (_e297 >= 0f) {
+                                phi_628_ = (_e297 <= 1f);
                             } else {
-                                phi_627_ = false;
+                                phi_628_ = false;
                             }
-                            let _e328 = phi_627_;
-                            if _e328 {
-                                if (_e310 >= 0f) {
-                                    phi_636_ = (_e310 <= 1f);
+                            let _e329 = phi_628_;
+                            if _e329 {
+                                if (_e311 >= 0f) {
+                                    phi_637_ = (_e311 <= 1f);
                                 } else {
-                                    phi_636_ = false;
+                                    phi_637_ = false;
                                 }
-                                let _e332 = phi_636_;
-                                if _e332 {
-                                    if (_e323 >= 0f) {
-                                        phi_645_ = (_e323 <= 1f);
+                                let _e333 = phi_637_;
+                                if _e333 {
+                                    if (_e324 >= 0f) {
+                                        phi_646_ = (_e324 <= 1f);
                                     } else {
-                                        phi_645_ = false;
+                                        phi_646_ = false;
                                     }
-                                    let _e336 = phi_645_;
-                                    phi_646_ = _e336;
-                                    phi_647_ = false;
+                                    let _e337 = phi_646_;
+                                    phi_647_ = _e337;
+                                    phi_648_ = false;
                                 } else {
-                                    phi_646_ = bool();
-                                    phi_647_ = true;
+                                    phi_647_ = bool();
+                                    phi_648_ = true;
                                 }
-                                let _e338 = phi_646_;
-                                let _e340 = phi_647_;
-                                phi_648_ = _e338;
-                                phi_649_ = _e340;
+                                let _e339 = phi_647_;
+                                let _e341 = phi_648_;
+                                phi_649_ = _e339;
+                                phi_650_ = _e341;
                             } else {
-                                phi_648_ = bool();
-                                phi_649_ = true;
+                                phi_649_ = bool();
+                                phi_650_ = true;
                             }
-                            let _e342 = phi_648_;
-                            let _e344 = phi_649_;
-                            phi_650_ = _e342;
-                            phi_651_ = _e344;
+                            let _e343 = phi_649_;
+                            let _e345 = phi_650_;
+                            phi_651_ = _e343;
+                            phi_652_ = _e345;
                         } else {
-                            phi_650_ = bool();
-                            phi_651_ = true;
+                            phi_651_ = bool();
+                            phi_652_ = true;
                         }
-                        let _e346 = phi_650_;
-                        let _e348 = phi_651_;
-                        if _e348 {
-                            phi_655_ = false;
+                        let _e347 = phi_651_;
+                        let _e349 = phi_652_;
+                        if _e349 {
+                            phi_656_ = false;
                         } else {
-                            phi_655_ = _e346;
+                            phi_656_ = _e347;
                         }
-                        let _e350 = phi_655_;
-                        if _e350 {
-                            if (_e296 >= _e231) {
-                                if (_e296 <= (1f - _e231)) {
-                                    if (_e310 >= _e231) {
-                                        phi_682_ = (_e310 <= (1f - _e231));
-                                        phi_683_ = false;
+                        let _e351 = phi_656_;
+                        if _e351 {
+                            if (_e297 >= _e232) {
+                                if (_e297 <= (1f - _e232)) {
+                                    if (_e311 >= _e232) {
+                                        phi_683_ = (_e311 <= (1f - _e232));
+                                        phi_684_ = false;
                                     } else {
-                                        phi_682_ = bool();
-                                        phi_683_ = true;
+                                        phi_683_ = bool();
+                                        phi_684_ = true;
                                     }
-                                    let _e358 = phi_682_;
-                                    let _e360 = phi_683_;
-                                    phi_684_ = _e358;
-                                    phi_685_ = _e360;
+                                    let _e359 = phi_683_;
+                                    let _e361 = phi_684_;
+                                    phi_685_ = _e359;
+                                    phi_686_ = _e361;
                                 } else {
-                                    phi_684_ = bool();
-                                    phi_685_ = true;
+                                    phi_685_ = bool();
+                                    phi_686_ = true;
                                 }
-                                let _e362 = phi_684_;
-                                let _e364 = phi_685_;
-                                phi_686_ = _e362;
-                                phi_687_ = _e364;
+                                let _e363 = phi_685_;
+                                let _e365 = phi_686_;
+                                phi_687_ = _e363;
+                                phi_688_ = _e365;
                             } else {
-                                phi_686_ = bool();
-                                phi_687_ = true;
+                                phi_687_ = bool();
+                                phi_688_ = true;
                             }
-                            let _e366 = phi_686_;
-                            let _e368 = phi_687_;
-                            phi_688_ = _e366;
-                            phi_689_ = _e368;
+                            let _e367 = phi_687_;
+                            let _e369 = phi_688_;
+                            phi_689_ = _e367;
+                            phi_690_ = _e369;
                         } else {
-                            phi_688_ = bool();
-                            phi_689_ = true;
+                            phi_689_ = bool();
+                            phi_690_ = true;
                         }
-                        let _e370 = phi_688_;
-                        let _e372 = phi_689_;
-                        if _e372 {
-                            phi_693_ = false;
+                        let _e371 = phi_689_;
+                        let _e373 = phi_690_;
+                        if _e373 {
+                            phi_694_ = false;
                         } else {
-                            phi_693_ = _e370;
+                            phi_694_ = _e371;
                         }
-                        let _e374 = phi_693_;
-                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
-                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
-                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
-                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
-                        phi_702_ = _e396;
-                        phi_703_ = (_e258 + 1u);
-                        phi_704_ = lt_math_LevelPoint(_e258, _e396);
-                        phi_705_ = true;
+                        let _e375 = phi_694_;
+                        let _e382 = lt_math_LightPoint(vec2<f32>(_e297, _e257.uv.y), _e257.depth, _e257.is_inside);
+                        let _e389 = lt_math_LightPoint(vec2<f32>(_e382.uv.x, _e311), _e382.depth, _e382.is_inside);
+                        let _e393 = lt_math_LightPoint(_e389.uv, _e324, _e389.is_inside);
+                        let _e397 = lt_math_LightPoint(_e393.uv, _e393.depth, _e375);
+                        phi_703_ = _e397;
+                        phi_704_ = (_e259 + 1u);
+                        phi_705_ = lt_math_LevelPoint(_e259, _e397);
+                        phi_706_ = true;
                     }
-                    let _e400 = phi_702_;
-                    let _e402 = phi_703_;
-                    let _e404 = phi_704_;
-                    let _e406 = phi_705_;
-                    phi_537_ = _e400;
-                    phi_540_ = _e402;
-                    phi_542_ = _e404;
-                    phi_706_ = _e406;
+                    let _e401 = phi_703_;
+                    let _e403 = phi_704_;
+                    let _e405 = phi_705_;
+                    let _e407 = phi_706_;
+                    phi_538_ = _e401;
+                    phi_541_ = _e403;
+                    phi_543_ = _e405;
+                    phi_707_ = _e407;
                 } else {
-                    phi_537_ = lt_math_LightPoint();
-                    phi_540_ = u32();
-                    phi_542_ = lt_math_LevelPoint();
-                    phi_706_ = false;
+                    phi_538_ = lt_math_LightPoint();
+                    phi_541_ = u32();
+                    phi_543_ = lt_math_LevelPoint();
+                    phi_707_ = false;
                 }
-                let _e408 = phi_537_;
-                let _e410 = phi_540_;
-                let _e412 = phi_542_;
-                let _e414 = phi_706_;
+                let _e409 = phi_538_;
+                let _e411 = phi_541_;
+                let _e413 = phi_543_;
+                let _e415 = phi_707_;
                 continue;
                 continuing {
-                    phi_536_ = _e408;
-                    phi_539_ = _e410;
-                    phi_541_ = _e412;
-                    break if !(_e414);
+                    phi_537_ = _e409;
+                    phi_540_ = _e411;
+                    phi_542_ = _e413;
+                    break if !(_e415);
                 }
             }
-            let _e417 = local_1;
-            if _e417.point.is_inside {
+            let _e418 = local_1;
+            if _e418.point.is_inside {
                 if (0f > 0f) {
-                    let _e423 = local_2;
-                    if (_e423.level < _e53) {
+                    let _e424 = local_2;
+                    if (_e424.level < _e54) {
                     } else {
                         return;
                     }
-                    let _e428 = levels.member[(0u + _e423.level)];
-                    let _e434 = global[0u];
-                    if (_e428.row_w.x == _e434) {
-                        let _e437 = global[1u];
-                        if (_e428.row_w.y == _e437) {
-                            let _e440 = global[2u];
-                            phi_746_ = (_e428.row_w.z == _e440);
-                            phi_747_ = false;
+                    let _e429 = levels.member[(0u + _e424.level)];
+                    let _e435 = global[0u];
+                    if (_e429.row_w.x == _e435) {
+                        let _e438 = global[1u];
+                        if (_e429.row_w.y == _e438) {
+                            let _e441 = global[2u];
+                            phi_747_ = (_e429.row_w.z == _e441);
+                            phi_748_ = false;
                         } else {
-                            phi_746_ = bool();
-                            phi_747_ = true;
+                            phi_747_ = bool();
+                            phi_748_ = true;
                         }
-                        let _e443 = phi_746_;
-                        let _e445 = phi_747_;
-                        phi_748_ = _e443;
-                        phi_749_ = _e445;
+                        let _e444 = phi_747_;
+                        let _e446 = phi_748_;
+                        phi_749_ = _e444;
+                        phi_750_ = _e446;
                     } else {
-                        phi_748_ = bool();
-                        phi_749_ = true;
+                        phi_749_ = bool();
+                        phi_750_ = true;
                     }
-                    let _e447 = phi_748_;
-                    let _e449 = phi_749_;
-                    if _e449 {
-                        phi_753_ = false;
+                    let _e448 = phi_749_;
+                    let _e450 = phi_750_;
+                    if _e450 {
+                        phi_754_ = false;
                     } else {
-                        phi_753_ = _e447;
+                        phi_754_ = _e448;
                     }
-                    let _e451 = phi_753_;
-                    if _e451 {
-                        let _e453 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e455 = p.member.map_size;
-                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
-                        if (_e525 < 0.002f) {
-                            phi_835_ = _e525;
+                    let _e452 = phi_754_;
+                    if _e452 {
+                        let _e454 = samples.member[(0u + _e60.first_primitive)].normal;
+                        let _e456 = p.member.map_size;
+                        let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
+                        if (_e526 < 0.002f) {
+                            phi_836_ = _e526;
                         } else {
-                            phi_835_ = 0.002f;
+                            phi_836_ = 0.002f;
                         }
-                        let _e528 = phi_835_;
-                        phi_952_ = _e528;
+                        let _e529 = phi_836_;
+                        phi_955_ = _e529;
                     } else {
-                        let _e530 = p.member.map_size;
-                        let _e536 = samples.member[(0u + _e59.first_primitive)].position;
-                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
-                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
-                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
-                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
-                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
-                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
-                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
-                        let _e583 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
-                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
-                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
-                        let _e600 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
-                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
-                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
-                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
-                        if (_e642 < 0.002f) {
-                            phi_951_ = _e642;
+                        let _e531 = p.member.map_size;
+                        let _e537 = samples.member[(0u + _e60.first_primitive)].position;
+                        let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
+                        let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
+                        let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
+                        let _e563 = ((_e429.row_x.z - (_e429.row_w.z * _e418.point.uv.x)) / _e548);
+                        let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
+                        let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
+                        let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
+                        let _e584 = samples.member[(0u + _e60.first_primitive)].normal;
+                        let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
+                        let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
+                        let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
+                        let _e601 = samples.member[(0u + _e60.first_primitive)].normal;
+                        let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
+                        let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
+                        let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
+                        let _e643 = ((abs(((((_e429.row_z.x * _e589) + (_e429.row_z.y * _e594)) + (_e429.row_z.z * _e599)) / (((_e561 * _e589) + (_e562 * _e594)) + (_e563 * _e599)))) + abs(((((_e429.row_z.x * _e606) + (_e429.row_z.y * _e611)) + (_e429.row_z.z * _e616)) / (((_e576 * _e606) + (_e577 * _e611)) + (_e578 * _e616))))) / f32(_e531));
+                        let _e645 = (16f / f32(_e531));
+                        if (_e643 < _e645) {
+                            phi_954_ = _e643;
                         } else {
-                            phi_951_ = 0.002f;
+                            phi_954_ = _e645;
                         }
-                        let _e645 = phi_951_;
-                        phi_952_ = _e645;
+                        let _e648 = phi_954_;
+                        phi_955_ = _e648;
                     }
-                    let _e647 = phi_952_;
-                    phi_955_ = (_e417.point.depth - (0f * _e647));
+                    let _e650 = phi_955_;
+                    phi_958_ = (_e418.point.depth - (0f * _e650));
                 } else {
-                    phi_955_ = _e417.point.depth;
+                    phi_958_ = _e418.point.depth;
                 }
-                let _e651 = phi_955_;
-                let _e657 = p.member.map_size;
-                let _e658 = f32(_e657);
-                let _e661 = ((_e417.point.uv.x * _e658) - 0.5f);
-                let _e662 = ((_e417.point.uv.y * _e658) - 0.5f);
-                if (_e661 > -8388608f) {
-                    let _e674 = f32(select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < bitcast<f32>(3472883712u))), 2147483647i, (_e661 > bitcast<f32>(1325400063u))), (_e661 == _e661)));
-                    if (_e674 > _e661) {
-                        phi_984_ = 1f;
+                let _e654 = phi_958_;
+                let _e660 = p.member.map_size;
+                let _e661 = f32(_e660);
+                let _e664 = ((_e418.point.uv.x * _e661) - 0.5f);
+                let _e665 = ((_e418.point.uv.y * _e661) - 0.5f);
+                if (_e664 > -8388608f) {
+                    let _e677 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e677 > _e664) {
+                        phi_987_ = 1f;
                     } else {
-                        phi_984_ = 0f;
+                        phi_987_ = 0f;
                     }
-                    let _e677 = phi_984_;
-                    if (_e661 < 8388608f) {
-                        phi_989_ = (_e674 - _e677);
-                        phi_990_ = false;
+                    let _e680 = phi_987_;
+                    if (_e664 < 8388608f) {
+                        phi_992_ = (_e677 - _e680);
+                        phi_993_ = false;
                     } else {
-                        phi_989_ = f32();
-                        phi_990_ = true;
+                        phi_992_ = f32();
+                        phi_993_ = true;
                     }
-                    let _e680 = phi_989_;
-                    let _e682 = phi_990_;
-                    phi_991_ = _e680;
-                    phi_992_ = _e682;
+                    let _e683 = phi_992_;
+                    let _e685 = phi_993_;
+                    phi_994_ = _e683;
+                    phi_995_ = _e685;
                 } else {
-                    phi_991_ = f32();
-                    phi_992_ = true;
+                    phi_994_ = f32();
+                    phi_995_ = true;
                 }
-                let _e684 = phi_991_;
-                let _e686 = phi_992_;
-                if _e686 {
-                    phi_996_ = _e661;
+                let _e687 = phi_994_;
+                let _e689 = phi_995_;
+                if _e689 {
+                    phi_999_ = _e664;
                 } else {
-                    phi_996_ = _e684;
+                    phi_999_ = _e687;
                 }
-                let _e688 = phi_996_;
-                if (_e662 > -8388608f) {
-                    let _e700 = f32(select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < bitcast<f32>(3472883712u))), 2147483647i, (_e662 > bitcast<f32>(1325400063u))), (_e662 == _e662)));
-                    if (_e700 > _e662) {
-                        phi_1016_ = 1f;
+                let _e691 = phi_999_;
+                if (_e665 > -8388608f) {
+                    let _e703 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
+                    if (_e703 > _e665) {
+                        phi_1019_ = 1f;
                     } else {
-                        phi_1016_ = 0f;
+                        phi_1019_ = 0f;
                     }
-                    let _e703 = phi_1016_;
-                    if (_e662 < 8388608f) {
-                        phi_1021_ = (_e700 - _e703);
-                        phi_1022_ = false;
+                    let _e706 = phi_1019_;
+                    if (_e665 < 8388608f) {
+                        phi_1024_ = (_e703 - _e706);
+                        phi_1025_ = false;
                     } else {
-                        phi_1021_ = f32();
-                        phi_1022_ = true;
+                        phi_1024_ = f32();
+                        phi_1025_ = true;
                     }
-                    let _e706 = phi_1021_;
-                    let _e708 = phi_1022_;
-                    phi_1023_ = _e706;
-                    phi_1024_ = _e708;
+                    let _e709 = phi_1024_;
+                    let _e711 = phi_1025_;
+                    phi_1026_ = _e709;
+                    phi_1027_ = _e711;
                 } else {
-                    phi_1023_ = f32();
-                    phi_1024_ = true;
+                    phi_1026_ = f32();
+                    phi_1027_ = true;
                 }
-                let _e710 = phi_1023_;
-                let _e712 = phi_1024_;
-                if _e712 {
-                    phi_1028_ = _e662;
+                let _e713 = phi_1026_;
+                let _e715 = phi_1027_;
+                if _e715 {
+                    phi_1031_ = _e665;
                 } else {
-                    phi_1028_ = _e710;
+                    phi_1031_ = _e713;
                 }
-                let _e714 = phi_1028_;
-                let _e715 = (_e661 - _e688);
-                let _e716 = (_e662 - _e714);
-                let _e725 = select(0i, select(select(i32(_e688), i32(-2147483648), (_e688 < bitcast<f32>(3472883712u))), 2147483647i, (_e688 > bitcast<f32>(1325400063u))), (_e688 == _e688));
-                let _e734 = select(0i, select(select(i32(_e714), i32(-2147483648), (_e714 < bitcast<f32>(3472883712u))), 2147483647i, (_e714 > bitcast<f32>(1325400063u))), (_e714 == _e714));
-                let _e737 = ((1f - _e715) * (1f - _e716));
-                let _e739 = (_e715 * (1f - _e716));
-                let _e741 = ((1f - _e715) * _e716);
-                let _e742 = (_e715 * _e716);
-                let _e744 = p.member.test;
-                let _e745 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e744);
-                let _e747 = p.member.map_size;
-                let _e749 = local_3;
-                local = _e745;
-                let _e752 = ((_e749.level * _e747) * _e747);
-                let _e754 = (bitcast<i32>(_e747) - 1i);
-                if (_e725 > 0i) {
-                    phi_1077_ = _e725;
+                let _e717 = phi_1031_;
+                let _e718 = (_e664 - _e691);
+                let _e719 = (_e665 - _e717);
+                let _e728 = select(0i, select(select(i32(_e691), i32(-2147483648), (_e691 < bitcast<f32>(3472883712u))), 2147483647i, (_e691 > bitcast<f32>(1325400063u))), (_e691 == _e691));
+                let _e737 = select(0i, select(select(i32(_e717), i32(-2147483648), (_e717 < bitcast<f32>(3472883712u))), 2147483647i, (_e717 > bitcast<f32>(1325400063u))), (_e717 == _e717));
+                let _e740 = ((1f - _e718) * (1f - _e719));
+                let _e742 = (_e718 * (1f - _e719));
+                let _e744 = ((1f - _e718) * _e719);
+                let _e745 = (_e718 * _e719);
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_3;
+                local = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
+                if (_e728 > 0i) {
+                    phi_1080_ = _e728;
                 } else {
-                    phi_1077_ = 0i;
+                    phi_1080_ = 0i;
                 }
-                let _e757 = phi_1077_;
-                if (_e734 > 0i) {
-                    phi_1082_ = _e734;
+                let _e760 = phi_1080_;
+                if (_e737 > 0i) {
+                    phi_1085_ = _e737;
                 } else {
-                    phi_1082_ = 0i;
+                    phi_1085_ = 0i;
                 }
-                let _e760 = phi_1082_;
-                if (_e757 < _e754) {
-                    phi_1087_ = _e757;
+                let _e763 = phi_1085_;
+                if (_e760 < _e757) {
+                    phi_1090_ = _e760;
                 } else {
-                    phi_1087_ = _e754;
+                    phi_1090_ = _e757;
                 }
-                let _e763 = phi_1087_;
-                if (_e760 < _e754) {
-                    phi_1092_ = _e760;
+                let _e766 = phi_1090_;
+                if (_e763 < _e757) {
+                    phi_1095_ = _e763;
                 } else {
-                    phi_1092_ = _e754;
+                    phi_1095_ = _e757;
                 }
-                let _e766 = phi_1092_;
-                let _e767 = bitcast<u32>(_e763);
-                let _e769 = (_e725 + 1i);
-                let _e770 = (_e734 + 1i);
-                if (_e769 > 0i) {
-                    phi_1101_ = _e769;
+                let _e769 = phi_1095_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e728 + 1i);
+                let _e773 = (_e737 + 1i);
+                if (_e772 > 0i) {
+                    phi_1104_ = _e772;
                 } else {
-                    phi_1101_ = 0i;
+                    phi_1104_ = 0i;
                 }
-                let _e773 = phi_1101_;
-                if (_e770 > 0i) {
-                    phi_1106_ = _e770;
+                let _e776 = phi_1104_;
+                if (_e773 > 0i) {
+                    phi_1109_ = _e773;
                 } else {
-                    phi_1106_ = 0i;
+                    phi_1109_ = 0i;
                 }
-                let _e776 = phi_1106_;
-                if (_e773 < _e754) {
-                    phi_1111_ = _e773;
+                let _e779 = phi_1109_;
+                if (_e776 < _e757) {
+                    phi_1114_ = _e776;
                 } else {
-                    phi_1111_ = _e754;
+                    phi_1114_ = _e757;
                 }
-                let _e779 = phi_1111_;
-                if (_e776 < _e754) {
-                    phi_1116_ = _e776;
+                let _e782 = phi_1114_;
+                if (_e779 < _e757) {
+                    phi_1119_ = _e779;
                 } else {
-                    phi_1116_ = _e754;
+                    phi_1119_ = _e757;
                 }
-                let _e782 = phi_1116_;
-                let _e783 = bitcast<u32>(_e779);
-                let _e785 = (bitcast<u32>(_e766) * _e747);
-                let _e786 = (bitcast<u32>(_e782) * _e747);
-                let _e791 = ((_e785 + _e767) + _e752);
-                let _e792 = ((_e785 + _e783) + _e752);
-                let _e793 = ((_e786 + _e767) + _e752);
-                let _e794 = ((_e786 + _e783) + _e752);
-                if (_e791 < _e47) {
+                let _e785 = phi_1119_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e48) {
                 } else {
                     return;
                 }
-                let _e798 = map.member[(0u + _e791)];
-                if (_e792 < _e47) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e48) {
                 } else {
                     return;
                 }
-                let _e810 = map.member[(0u + _e792)];
-                if (_e793 < _e47) {
+                let _e813 = map.member[(0u + _e795)];
+                if (_e796 < _e48) {
                 } else {
                     return;
                 }
-                let _e826 = map.member[(0u + _e793)];
-                if (_e794 < _e47) {
+                let _e829 = map.member[(0u + _e796)];
+                if (_e797 < _e48) {
                 } else {
                     return;
                 }
-                let _e842 = map.member[(0u + _e794)];
-                let _e856 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e798.x * _e737) + (_e810.x * _e739)) + (_e826.x * _e741)) + (_e842.x * _e742)), ((((_e798.y * _e737) + (_e810.y * _e739)) + (_e826.y * _e741)) + (_e842.y * _e742)), ((((_e798.z * _e737) + (_e810.z * _e739)) + (_e826.z * _e741)) + (_e842.z * _e742)), ((((_e798.w * _e737) + (_e810.w * _e739)) + (_e826.w * _e741)) + (_e842.w * _e742))), _e651);
-                phi_1205_ = evaluate_Verdict(_e856, false);
-                phi_1206_ = evaluate_Verdict();
-                phi_1207_ = false;
+                let _e845 = map.member[(0u + _e797)];
+                let _e859 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e801.x * _e740) + (_e813.x * _e742)) + (_e829.x * _e744)) + (_e845.x * _e745)), ((((_e801.y * _e740) + (_e813.y * _e742)) + (_e829.y * _e744)) + (_e845.y * _e745)), ((((_e801.z * _e740) + (_e813.z * _e742)) + (_e829.z * _e744)) + (_e845.z * _e745)), ((((_e801.w * _e740) + (_e813.w * _e742)) + (_e829.w * _e744)) + (_e845.w * _e745))), _e654);
+                phi_1208_ = evaluate_Verdict(_e859, false);
+                phi_1209_ = evaluate_Verdict();
+                phi_1210_ = false;
             } else {
-                phi_1205_ = evaluate_Verdict();
-                phi_1206_ = evaluate_Verdict(1f, false);
-                phi_1207_ = true;
+                phi_1208_ = evaluate_Verdict();
+                phi_1209_ = evaluate_Verdict(1f, false);
+                phi_1210_ = true;
             }
-            let _e860 = phi_1205_;
-            let _e862 = phi_1206_;
-            let _e864 = phi_1207_;
-            phi_1208_ = _e862;
-            phi_1209_ = _e860;
-            phi_1210_ = _e864;
+            let _e863 = phi_1208_;
+            let _e865 = phi_1209_;
+            let _e867 = phi_1210_;
+            phi_1211_ = _e865;
+            phi_1212_ = _e863;
+            phi_1213_ = _e867;
         }
-        let _e866 = phi_1208_;
-        let _e868 = phi_1209_;
-        let _e870 = phi_1210_;
-        if _e870 {
-            phi_1214_ = _e866;
+        let _e869 = phi_1211_;
+        let _e871 = phi_1212_;
+        let _e873 = phi_1213_;
+        if _e873 {
+            phi_1217_ = _e869;
         } else {
-            phi_1214_ = _e868;
+            phi_1217_ = _e871;
         }
-        let _e872 = phi_1214_;
-        if (_e59.first_primitive < arrayLength((&visibility.member))) {
+        let _e875 = phi_1217_;
+        if (_e60.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e59.first_primitive)] = _e872.visibility;
+        visibility.member[(0u + _e60.first_primitive)] = _e875.visibility;
     }
     return;
 }

@@ -122,5 +122,5 @@ fn turning_on_the_spot_draws_little_and_stays_right() {
             .map_draws;
     }
     assert_eq!(drawn, 36);
-    assert!(kept >= 3 && kept <= 9, "{kept} maps drawn");
+    assert!((3..=9).contains(&kept), "{kept} maps drawn");
 }

@@ -55,7 +55,7 @@ impl Cascades {
             Splits::Depths(_) => Splits::Blend(DEFAULT_SPLIT_BLEND),
             blend => blend,
         };
-        Self { count, far, splits, ..self }
+        Self { count, far, splits }
     }
 
     /// How many maps are drawn.

@@ -80,9 +80,9 @@ impl Setup {
                     return bad(format!("light direction {direction}: must be finite and not zero"));
                 }
                 let right_angle = std::f32::consts::FRAC_PI_2;
-                if !(inner_cone_rad >= 0.0 && inner_cone_rad <= outer_cone_rad)
-                    || !(outer_cone_rad > 0.0 && outer_cone_rad < right_angle)
-                {
+                let is_ordered = inner_cone_rad >= 0.0 && inner_cone_rad <= outer_cone_rad;
+                let is_open = outer_cone_rad > 0.0 && outer_cone_rad < right_angle;
+                if !(is_ordered && is_open) {
                     return bad(format!(
                         "cone of {inner_cone_rad} to {outer_cone_rad} rad: must be 0 ≤ inner ≤ outer < π/2"
                     ));

@@ -222,6 +222,10 @@ pub fn plane_slope(projection: &LightProjection, normal: Vec3, map_size: u32) ->
 /// Cap of the receiver-plane bias, light depth: beyond it a shadow would detach visibly.
 const MAX_SLOPE: f32 = 0.002;
 
+/// The same for perspective maps, times their size: they are about as deep as wide at their far end, so that the slope of a
+/// surface seen at 83° is 16 texels' share of the depth.
+const MAX_SLOPE_AT: f32 = 16.0;
+
 /// The leak tracing test on a map's answer: trusted answers are snapped, sure light to 1, sure shadow to 0.
 #[inline]
 pub fn doubt(visibility: f32, epsilon: f32) -> Verdict {
@@ -251,7 +255,8 @@ pub fn plane_slope_at(
     let (across_v, across_u) = (v.cross(sample.normal), u.cross(sample.normal));
     let per = |step: Vec3, axis: Vec3| (depth.dot(step) / axis.dot(step)).abs();
     let slope = (per(across_v, u) + per(across_u, v)) / map_size as f32;
-    if slope < MAX_SLOPE { slope } else { MAX_SLOPE }
+    let cap = MAX_SLOPE_AT / map_size as f32;
+    if slope < cap { slope } else { cap }
 }
 
 /// Estimate and doubt of one pixel by the one map of a directional light; with `LTT` off nothing is ever doubted.

@@ -297,7 +297,7 @@ impl Places {
             let (w, depth) = (along(row_w), along(row_z));
             let (at_u, at_v) = (along(row_x) / w, along(row_y) / w);
             let is_between = |x: f32| (x >= low) & (x <= high);
-            let is_unit = |x: f32| (x >= 0.0) & (x <= 1.0);
+            let is_unit = |x: f32| (0.0..=1.0).contains(&x);
             let is_inside = (w > 0.0) & is_between(at_u) & is_between(at_v) & is_unit(depth);
             self.u[i] = if is_inside { at_u } else { self.u[i] };
             self.v[i] = if is_inside { at_v } else { self.v[i] };
@@ -347,8 +347,8 @@ impl Footprints {
             quads[3][i] = lower + right;
         }
         for i in 0..BATCH {
-            for k in 0..4 {
-                self.offsets[k][i] = maps.depths[quads[k][i] as usize];
+            for (offsets, texels) in self.offsets.iter_mut().zip(&quads) {
+                offsets[i] = maps.depths[texels[i] as usize];
             }
         }
         for row in &mut self.offsets {

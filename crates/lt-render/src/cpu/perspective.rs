@@ -76,7 +76,8 @@ mod tests {
             [[1.0, 1.0, -1.0], [8.0, 0.0, 2.0], [0.0, 12.0, 4.0]].map(|c| Vec4::new(c[0], c[1], 0.0, c[2]));
         let polygon = corners_of(cut(&corners, 1e-6, 64.0));
         assert!(polygon.len() >= 4, "{polygon:?}");
-        assert!(polygon.iter().all(|p| p.abs().max_element() <= GUARD_TEXELS + 65.0), "{polygon:?}");
+        // Rounding lets a corner slip a little.
+        assert!(polygon.iter().all(|p| p.abs().max_element() <= 1.01 * GUARD_TEXELS), "{polygon:?}");
         assert!(corners_of(cut(&corners.map(|c| c * Vec4::new(1.0, 1.0, 1.0, -1.0)), 3.0, 64.0)).is_empty());
     }
 }
