@@ -9,9 +9,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 
-use crate::{files, workspace};
+use crate::{documents, workspace};
 
 /// Options of the command; those that it does not know itself go to the measuring program.
 #[derive(clap::Args)]
@@ -109,41 +109,11 @@ fn compile() -> Result<Option<PathBuf>> {
     Ok(Some(library))
 }
 
-/// Puts the Markdown between the marks of rays.md, and the plot beside it.
+/// Puts table and plot into docs/results.
 fn publish(out: &Path, results: &Path) -> Result<()> {
-    let read =
-        |path: &Path| fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()));
-    let page = results.join("rays.md");
-    let renewed = splice(&read(&page)?, &read(&out.join("rays.md"))?)
-        .with_context(|| format!("{} cannot be renewed", page.display()))?;
-    files::replace(&page, renewed.as_bytes())?;
-    files::replace(&results.join("rays.svg"), read(&out.join("rays.svg"))?.as_bytes())?;
-    files::replace(&results.join("rays.csv"), read(&out.join("rays.csv"))?.as_bytes())?;
-    println!("renewed: {}, rays.svg, rays.csv", page.display());
+    documents::renew(&results.join("rays.md"), &out.join("rays.md"), MARKS)?;
+    documents::copy(&out.join("rays.svg"), &results.join("rays.svg"))?;
+    documents::copy(&out.join("rays.csv"), &results.join("rays.csv"))?;
+    println!("renewed: {}, rays.svg, rays.csv", results.join("rays.md").display());
     Ok(())
-}
-
-/// `page` with what is between the marks replaced.
-fn splice(page: &str, part: &str) -> Result<String> {
-    let [begin, end] = MARKS;
-    let (before, rest) = page.split_once(begin).with_context(|| format!("it lacks the line {begin}"))?;
-    let (_, after) = rest.split_once(end).with_context(|| format!("it lacks the line {end}"))?;
-    ensure!(!part.contains(begin) && !part.contains(end), "the new part contains a mark");
-    Ok(format!("{before}{begin}\n\n{}\n\n{end}{after}", part.trim()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_what_is_between_the_marks_changes() {
-        let page = format!("top\n{}\nold\n{}\nbottom\n", MARKS[0], MARKS[1]);
-        let renewed = splice(&page, "new\n").unwrap();
-        assert_eq!(renewed, format!("top\n{}\n\nnew\n\n{}\nbottom\n", MARKS[0], MARKS[1]));
-        assert_eq!(splice(&renewed, "new").unwrap(), renewed);
-        assert!(splice("no marks", "new").is_err());
-        assert!(splice(MARKS[0], "new").is_err());
-        assert!(splice(&page, MARKS[1]).is_err());
-    }
 }

@@ -3,6 +3,7 @@
 //! - `cargo xtask build-shaders` compiles `crates/lt-shaders` to SPIR-V and WGSL in `shaders/`; `--check`
 //!   proves that what is committed there belongs to the sources.
 //! - `cargo xtask bench-rays` measures occlusion rays and builds beside Intel Embree's and obvhs's.
+//! - `cargo xtask papers alias-free` measures the tables of a paper, ours beside its own.
 //! - `cargo xtask no-std` builds the `no_std` crates for targets that have no standard library.
 //! - `cargo xtask ci` is the gate: format, lints, documentation, `no-std`, shader freshness.
 //!
@@ -14,10 +15,12 @@ mod build_shaders;
 mod check_shaders;
 mod ci;
 mod compile;
+mod documents;
 mod files;
 mod manifest;
 mod module;
 mod no_std;
+mod papers;
 mod prune;
 mod sources;
 mod strip;
@@ -40,6 +43,8 @@ enum Command {
     BuildShaders(build_shaders::Args),
     /// Measure occlusion rays and builds beside Embree's (if libembree-dev is installed) and obvhs's
     BenchRays(bench_rays::Args),
+    /// Measure the tables of a paper, ours beside its own
+    Papers(papers::Args),
     /// Build the no_std crates for x86_64-unknown-none and thumbv7em-none-eabihf
     NoStd,
     /// Run every check that gates a change, except the tests
@@ -50,6 +55,7 @@ fn main() -> ExitCode {
     let outcome = match Cli::parse().command {
         Command::BuildShaders(args) => build_shaders::run(&args),
         Command::BenchRays(args) => bench_rays::run(&args),
+        Command::Papers(args) => papers::run(&args),
         Command::NoStd => no_std::run(),
         Command::Ci => ci::run(),
     };

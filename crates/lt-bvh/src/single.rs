@@ -24,13 +24,16 @@ impl RayTest {
         ray.is_valid().then(|| RayTest { ray: *ray, slab: root.slab(ray), shear: Shear::new(ray) })
     }
 
+    /// Where the ray meets `triangle`, whatever that is made of: weights of its second and third vertex.
+    #[inline]
+    pub fn meet(&self, triangle: &Triangle) -> Option<(f32, f32)> {
+        let hit = self.shear.intersect(&self.ray, &self.slab, triangle, WHOLE_RAY);
+        (hit.is_hit && hit.t > self.ray.tmin && hit.t < self.ray.tmax).then_some((hit.u, hit.v))
+    }
+
     /// Whether `triangle`, which `any_hit` knows as `index`, blocks the ray.
     #[inline]
     pub fn is_blocked_by<A: AnyHit>(&self, triangle: &Triangle, index: u32, any_hit: A) -> bool {
-        let hit = self.shear.intersect(&self.ray, &self.slab, triangle, WHOLE_RAY);
-        hit.is_hit
-            && hit.t > self.ray.tmin
-            && hit.t < self.ray.tmax
-            && (triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v))
+        self.meet(triangle).is_some_and(|(u, v)| triangle.is_opaque() || any_hit.accepts(index, u, v))
     }
 }

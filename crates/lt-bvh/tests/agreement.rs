@@ -148,6 +148,19 @@ fn simd_answers_with_the_kernels_bits_on_every_kind_of_scene_and_ray() {
     }
 }
 
+/// Triangles as small as the distance of rays: packets fall apart into rays that share nodes and nothing else.
+#[test]
+fn packets_that_fall_apart_answer_with_the_kernels_bits() {
+    let bvh = soup(60_000, 5).build(BuildQuality::Fast);
+    let rays = sun_rays(&bvh, 128);
+    // Every seventh: neighbours in the list are none in the picture, as in a list of doubted pixels.
+    let scattered: Vec<Ray> = (0..7).flat_map(|first| rays.iter().skip(first).step_by(7).copied()).collect();
+    for rays in [rays, scattered, rays_to_a_point(11)] {
+        let hits = assert_agreement(&Scalar::new(&bvh), || Simd::new(&bvh), &rays, Opaque);
+        assert!(hits > rays.len() / 50, "{hits} hits of {} rays show too little", rays.len());
+    }
+}
+
 #[test]
 fn simd_answers_with_the_kernels_bits_under_an_alpha_test() {
     let mesh = foliage(6_000, 3);

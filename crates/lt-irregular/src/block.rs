@@ -2,6 +2,7 @@
 
 use crate::lanes::Lanes;
 use crate::planes::{Planes, ROWS};
+use crate::rect::Rect;
 
 /// Triangles to a block.
 pub(crate) const BLOCK: usize = 8;
@@ -40,10 +41,15 @@ impl Block {
         self.ids[slot] = triangle | if asks { ASKS } else { 0 };
     }
 
-    /// One slot's planes.
+    /// One slot's planes in every lane.
     #[inline(always)]
-    pub fn planes(&self, slot: usize) -> Planes {
-        Planes(core::array::from_fn(|row| self.rows[row][slot]))
+    pub fn spread_out<L: Lanes>(&self, lanes: L, slot: usize) -> Spreadout<L> {
+        let slot = slot & (BLOCK - 1);
+        let mut rows = [lanes.splat(0.0); ROWS];
+        for (to, from) in rows.iter_mut().zip(&self.rows) {
+            *to = lanes.splat(from[slot]);
+        }
+        Spreadout(rows)
     }
 
     /// The triangles that block one point.
@@ -62,6 +68,35 @@ impl Block {
         let d = lanes.neg_mul_add(lanes.load(row(12)), z, d);
         decide(lanes, a, b, c, d, lanes.splat(tolerance))
     }
+
+    /// What the triangles are to all points within a spread: those `sure` block them all, those not `possible` none.
+    #[inline(always)]
+    pub fn test_rect<L: Lanes>(&self, lanes: L, spread: &Spread) -> Answer {
+        let (x, y) = (lanes.splat(spread.x), lanes.splat(spread.y));
+        let (w, h) = (lanes.splat(spread.half_x), lanes.splat(spread.half_y));
+        let one = lanes.splat(1.0);
+        let minus = lanes.splat(-1.0);
+        let (mut sure, mut outside, mut within) = (L::ALL, 0, 0);
+        for edge in 0..3 {
+            let (ex, ey) = (lanes.load(&self.rows[3 * edge]), lanes.load(&self.rows[3 * edge + 1]));
+            let middle = lanes.mul_add(ex, x, lanes.mul_add(ey, y, lanes.load(&self.rows[3 * edge + 2])));
+            let around = lanes.mul_add(lanes.abs(ex), w, lanes.mul(lanes.abs(ey), h));
+            let positive = lanes.lt(one, lanes.sub(middle, around));
+            sure &= positive;
+            within |= positive;
+            outside |= lanes.lt(lanes.add(middle, around), minus);
+        }
+        let (hx, hy, hz) =
+            (lanes.load(&self.rows[9]), lanes.load(&self.rows[10]), lanes.load(&self.rows[12]));
+        let middle = lanes.mul_add(hx, x, lanes.mul_add(hy, y, lanes.load(&self.rows[11])));
+        let around = lanes.mul_add(lanes.abs(hx), w, lanes.mul(lanes.abs(hy), h));
+        let least = lanes.neg_mul_add(hz, lanes.splat(spread.far), lanes.sub(middle, around));
+        let most = lanes.neg_mul_add(hz, lanes.splat(spread.near), lanes.add(middle, around));
+        let tolerance = lanes.splat(spread.tolerance);
+        sure &= lanes.lt(tolerance, least);
+        let is_before = lanes.le(lanes.sub(lanes.splat(0.0), tolerance), most);
+        Answer { sure, possible: is_before & !(outside & within) }
+    }
 }
 
 /// Rows of a slot without a triangle: no depth reaches the tolerance.
@@ -70,6 +105,33 @@ const EMPTY_ROWS: [[f32; BLOCK]; ROWS] = {
     rows[11] = [f32::NEG_INFINITY; BLOCK];
     rows
 };
+
+/// A rectangle and range of nearness that holds several points.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Spread {
+    x: f32,
+    y: f32,
+    half_x: f32,
+    half_y: f32,
+    /// Least nearness.
+    near: f32,
+    /// Largest nearness.
+    far: f32,
+    /// Largest depth tolerance.
+    tolerance: f32,
+}
+
+impl Spread {
+    /// Of points in `rect` whose nearness lies from `near` to `far`.
+    #[inline(always)]
+    pub fn new(rect: &Rect, near: f32, far: f32, tolerance: f32) -> Self {
+        let (x, y) = (0.5 * (rect.x0 + rect.x1), 0.5 * (rect.y0 + rect.y1));
+        // From the middle as it is rounded to the farther side.
+        let half_x = if rect.x1 - x > x - rect.x0 { rect.x1 - x } else { x - rect.x0 };
+        let half_y = if rect.y1 - y > y - rect.y0 { rect.y1 - y } else { y - rect.y0 };
+        Spread { x, y, half_x, half_y, near, far, tolerance }
+    }
+}
 
 #[inline(always)]
 fn decide<L: Lanes>(lanes: L, a: L::F, b: L::F, c: L::F, d: L::F, tolerance: L::F) -> Answer {
@@ -88,6 +150,7 @@ fn decide<L: Lanes>(lanes: L, a: L::F, b: L::F, c: L::F, d: L::F, tolerance: L::
 pub(crate) struct Spreadout<L: Lanes>([L::F; ROWS]);
 
 impl<L: Lanes> Spreadout<L> {
+    /// Of planes outside of a block.
     #[inline(always)]
     pub fn new(lanes: L, planes: &Planes) -> Self {
         let mut rows = [lanes.splat(0.0); ROWS];

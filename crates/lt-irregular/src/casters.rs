@@ -1,6 +1,7 @@
 //! The triangles that block, as the ray tracer knows them, and its own test as the last instance.
 
-use crate::lanes::Lanes;
+use crate::block::ASKS;
+use crate::lanes::{Lanes, Level};
 use crate::view::{Rays, View, permute};
 use lt_bvh::{AnyHit, Node, Ray, RayTest, Triangle};
 use lt_math::glam::{Vec3, Vec4};
@@ -12,6 +13,22 @@ pub struct Casters<'a> {
     pub root: &'a Node,
     /// The triangles.
     pub triangles: &'a [Triangle],
+}
+
+impl Casters<'_> {
+    /// Asks for a triangle by its id in a block, that it may have come by the time it is needed.
+    #[inline(always)]
+    pub(crate) fn prefetch<L: Level>(&self, level: L, id: u32) {
+        if let Some(triangle) = self.triangles.get((id & !ASKS) as usize) {
+            level.prefetch(triangle);
+        }
+    }
+
+    /// Where the ray meets the triangle by the ray tracer's own test, whatever that is made of: weights of the second and third vertex.
+    #[inline(always)]
+    pub(crate) fn meet(&self, ray: &Ray, triangle: u32) -> Option<(f32, f32)> {
+        RayTest::new(ray, self.root)?.meet(&self.triangles[triangle as usize])
+    }
 }
 
 /// What is asked about rays to one light.

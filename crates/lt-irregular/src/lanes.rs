@@ -7,9 +7,15 @@ pub(crate) trait Lanes: Copy {
     /// [`Lanes::WIDTH`] f32.
     type F: Copy;
     const WIDTH: usize;
+    /// All lanes' bits.
+    const ALL: u32 = if Self::WIDTH == 32 { u32::MAX } else { (1 << Self::WIDTH) - 1 };
     /// The first lanes' worth of `from`, which must be that long.
     fn load(self, from: &[f32]) -> Self::F;
+    /// Writes to the start of `to`, which must be long enough.
+    fn store(self, from: Self::F, to: &mut [f32]);
     fn splat(self, x: f32) -> Self::F;
+    /// `a` where the lane's bit is set, `b` elsewhere.
+    fn pick(self, mask: u32, a: Self::F, b: Self::F) -> Self::F;
     fn add(self, a: Self::F, b: Self::F) -> Self::F;
     fn sub(self, a: Self::F, b: Self::F) -> Self::F;
     fn mul(self, a: Self::F, b: Self::F) -> Self::F;
@@ -20,6 +26,7 @@ pub(crate) trait Lanes: Copy {
     fn neg_mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
     fn min(self, a: Self::F, b: Self::F) -> Self::F;
     fn max(self, a: Self::F, b: Self::F) -> Self::F;
+    fn abs(self, a: Self::F) -> Self::F;
     /// A bit per lane where a ≤ b; clear where either is NaN.
     fn le(self, a: Self::F, b: Self::F) -> u32;
     /// A bit per lane where a < b; clear where either is NaN.
@@ -37,6 +44,12 @@ pub(crate) trait Level: Copy {
     type Points: Lanes;
     fn eight(self) -> Self::Eight;
     fn points(self) -> Self::Points;
+
+    /// Asks for a value, that it may have come by the time it is needed.
+    #[inline(always)]
+    fn prefetch<T>(self, value: &T) {
+        let _ = value;
+    }
 }
 
 /// Plain arrays of eight, for every processor.
@@ -77,6 +90,14 @@ impl Lanes for Portable {
         lanes
     }
     #[inline(always)]
+    fn store(self, from: [f32; 8], to: &mut [f32]) {
+        to[..8].copy_from_slice(&from);
+    }
+    #[inline(always)]
+    fn pick(self, mask: u32, a: [f32; 8], b: [f32; 8]) -> [f32; 8] {
+        core::array::from_fn(|i| if mask >> i & 1 == 1 { a[i] } else { b[i] })
+    }
+    #[inline(always)]
     fn splat(self, x: f32) -> [f32; 8] {
         [x; 8]
     }
@@ -111,6 +132,10 @@ impl Lanes for Portable {
     #[inline(always)]
     fn max(self, a: [f32; 8], b: [f32; 8]) -> [f32; 8] {
         zip(a, b, |a, b| if a > b { a } else { b })
+    }
+    #[inline(always)]
+    fn abs(self, a: [f32; 8]) -> [f32; 8] {
+        a.map(f32::abs)
     }
     #[inline(always)]
     fn le(self, a: [f32; 8], b: [f32; 8]) -> u32 {
@@ -213,7 +238,7 @@ pub(crate) mod x86 {
     /// What all three have in common.
     macro_rules! common {
         (
-            $register:ty, $width:literal, $load:ident, $splat:ident, $add:ident, $sub:ident, $mul:ident,
+            $register:ty, $width:literal, $load:ident, $store:ident, $splat:ident, $add:ident, $sub:ident, $mul:ident,
             $div:ident, $mul_add:ident, $neg_mul_add:ident, $min:ident, $max:ident
         ) => {
             type F = $register;
@@ -223,6 +248,12 @@ pub(crate) mod x86 {
                 let from: &[f32] = &from[..$width];
                 // SAFETY: `self` proves the instruction; so many f32 are readable, and it asks for no alignment.
                 unsafe { $load(from.as_ptr()) }
+            }
+            #[inline(always)]
+            fn store(self, from: $register, to: &mut [f32]) {
+                let to: &mut [f32] = &mut to[..$width];
+                // SAFETY: `self` proves the instruction; so many f32 are writable, and it asks for no alignment.
+                unsafe { $store(to.as_mut_ptr(), from) }
             }
             instruction!(splat(x: f32) -> $register, $splat(x));
             instruction!(add(a: $register, b: $register) -> $register, $add(a, b));
@@ -239,24 +270,24 @@ pub(crate) mod x86 {
     macro_rules! eight {
         () => {
             common!(
-                __m256,
-                8,
-                _mm256_loadu_ps,
-                _mm256_set1_ps,
-                _mm256_add_ps,
-                _mm256_sub_ps,
-                _mm256_mul_ps,
-                _mm256_div_ps,
-                _mm256_fmadd_ps,
-                _mm256_fnmadd_ps,
-                _mm256_min_ps,
-                _mm256_max_ps
+                __m256, 8, _mm256_loadu_ps, _mm256_storeu_ps, _mm256_set1_ps, _mm256_add_ps, _mm256_sub_ps,
+                _mm256_mul_ps, _mm256_div_ps, _mm256_fmadd_ps, _mm256_fnmadd_ps, _mm256_min_ps, _mm256_max_ps
             );
+            instruction!(abs(a: __m256) -> __m256, _mm256_andnot_ps(_mm256_set1_ps(-0.0), a));
         };
     }
 
     impl Lanes for Avx2 {
         eight!();
+        #[inline(always)]
+        fn pick(self, mask: u32, a: __m256, b: __m256) -> __m256 {
+            // SAFETY: `self` proves AVX2, which touches no memory here.
+            unsafe {
+                let bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+                let set = _mm256_and_si256(_mm256_set1_epi32(mask as i32), bits);
+                _mm256_blendv_ps(b, a, _mm256_castsi256_ps(_mm256_cmpeq_epi32(set, bits)))
+            }
+        }
         instruction!(le(a: __m256, b: __m256) -> u32, _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b)) as u32);
         instruction!(lt(a: __m256, b: __m256) -> u32, _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(a, b)) as u32);
         #[inline(always)]
@@ -282,6 +313,7 @@ pub(crate) mod x86 {
 
     impl Lanes for Avx512 {
         eight!();
+        instruction!(pick(mask: u32, a: __m256, b: __m256) -> __m256, _mm256_mask_blend_ps(mask as u8, b, a));
         instruction!(le(a: __m256, b: __m256) -> u32, u32::from(_mm256_cmp_ps_mask::<_CMP_LE_OQ>(a, b)));
         instruction!(lt(a: __m256, b: __m256) -> u32, u32::from(_mm256_cmp_ps_mask::<_CMP_LT_OQ>(a, b)));
         #[inline(always)]
@@ -307,6 +339,7 @@ pub(crate) mod x86 {
             __m512,
             16,
             _mm512_loadu_ps,
+            _mm512_storeu_ps,
             _mm512_set1_ps,
             _mm512_add_ps,
             _mm512_sub_ps,
@@ -317,6 +350,8 @@ pub(crate) mod x86 {
             _mm512_min_ps,
             _mm512_max_ps
         );
+        instruction!(abs(a: __m512) -> __m512, _mm512_abs_ps(a));
+        instruction!(pick(mask: u32, a: __m512, b: __m512) -> __m512, _mm512_mask_blend_ps(mask as u16, b, a));
         instruction!(le(a: __m512, b: __m512) -> u32, u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(a, b)));
         instruction!(lt(a: __m512, b: __m512) -> u32, u32::from(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b)));
         #[inline(always)]
@@ -337,7 +372,23 @@ pub(crate) mod x86 {
         }
     }
 
+    /// Bytes to a line of the cache.
+    const LINE: usize = 64;
+
+    #[inline(always)]
+    fn prefetch<T>(value: &T) {
+        let start = core::ptr::from_ref(value).cast::<i8>();
+        for line in 0..size_of::<T>().div_ceil(LINE) {
+            // SAFETY: every x86-64 processor has the instruction; it faults nowhere, and this lies within the value.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(start.add(line * LINE)) }
+        }
+    }
+
     impl Level for Avx2 {
+        #[inline(always)]
+        fn prefetch<T>(self, value: &T) {
+            prefetch(value);
+        }
         type Eight = Avx2;
         type Points = Avx2;
         #[inline(always)]
@@ -351,6 +402,10 @@ pub(crate) mod x86 {
     }
 
     impl Level for Avx512 {
+        #[inline(always)]
+        fn prefetch<T>(self, value: &T) {
+            prefetch(value);
+        }
         type Eight = Avx512;
         type Points = Avx512Points;
         #[inline(always)]

@@ -17,7 +17,9 @@
 //!
 //! # Structures
 //!
-//! - [`LightBvh`]: a tree over the triangles, for a light that stands still.
+//! - [`LightBvh`]: a tree over the triangles, for a light and casters that stand still.
+//! - [`DivideAndConquer`]: both lists divided together and nothing kept, for frames in which everything moves.
+//! - [`SampleMap`]: a tree over the points, which every triangle walks: the alias-free shadow map of Aila and Laine (2004).
 //!
 //! # Conventions
 //!
@@ -30,20 +32,25 @@ extern crate std;
 
 mod block;
 mod casters;
+mod dac;
 mod lanes;
 mod level;
 mod light_bvh;
 mod planes;
 mod rect;
+mod sample_map;
 mod split;
+mod tile;
 mod tree;
 mod validate;
 mod view;
 mod walk;
 
 pub use casters::Casters;
+pub use dac::DivideAndConquer;
 pub use level::Instructions;
-pub use light_bvh::{LightBvh, Scratch};
+pub use light_bvh::{LightBvh, Scratch, Walk};
 pub use rect::Rect;
+pub use sample_map::{Counters, Options, PointOrder, SampleMap};
 pub use validate::Invalid;
 pub use view::{Bounds, LightPoint, View};

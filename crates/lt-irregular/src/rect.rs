@@ -8,7 +8,7 @@
 use crate::planes::EPSILON;
 use crate::view::{Rays, View, permute};
 use lt_bvh::Triangle;
-use lt_math::glam::{DVec3, Vec3};
+use lt_math::glam::Vec3;
 
 /// Margin of place for triangles that are no slivers, of nearness for all: in units of R.
 const MARGIN: f32 = 32.0 * EPSILON;
@@ -63,6 +63,26 @@ impl Rect {
             && self.y0 <= inner.y0
             && self.y1 >= inner.y1
             && self.z >= inner.z
+    }
+
+    /// Whether `inner` lies within, whatever its nearness.
+    #[inline(always)]
+    pub(crate) fn covers(&self, inner: &Self) -> bool {
+        self.x0 <= inner.x0 && self.x1 >= inner.x1 && self.y0 <= inner.y0 && self.y1 >= inner.y1
+    }
+
+    /// What two rectangles that meet have in common, with the nearness of the other.
+    #[inline(always)]
+    pub(crate) fn common(&self, other: &Self) -> Self {
+        let min = |a: f32, b: f32| if a < b { a } else { b };
+        let max = |a: f32, b: f32| if a > b { a } else { b };
+        Rect {
+            x0: max(self.x0, other.x0),
+            x1: min(self.x1, other.x1),
+            y0: max(self.y0, other.y0),
+            y1: min(self.y1, other.y1),
+            z: other.z,
+        }
     }
 
     /// Area; that of an empty one is 0.
@@ -158,11 +178,11 @@ fn pick(low: Vec3, high: Vec3, corner: u32) -> Vec3 {
 fn clipped(view: &View, r: [Vec3; 3]) -> Option<Rect> {
     let full = Rect { x0: -1.0, x1: 1.0, y0: -1.0, y1: 1.0, z: f32::INFINITY };
     let shift = f64::from(view.size) * 1e-4;
-    let mut polygon = [DVec3::ZERO; 8];
+    let mut polygon = [[0.0; 3]; 8];
     let mut len = 3;
-    polygon[..3].copy_from_slice(&r.map(|v| v.as_dvec3()));
+    polygon[..3].copy_from_slice(&r.map(|v| v.to_array().map(f64::from)));
     for (axis, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {
-        let inside = |v: DVec3| 1.001 * v.z + shift - sign * v[axis];
+        let inside = |v: [f64; 3]| 1.001 * v[2] + shift - sign * v[axis];
         let (from, count) = (polygon, len);
         len = 0;
         for i in 0..count {
@@ -173,7 +193,8 @@ fn clipped(view: &View, r: [Vec3; 3]) -> Option<Rect> {
                 len += 1;
             }
             if (da < 0.0) != (db < 0.0) {
-                polygon[len] = a + (b - a) * (da / (da - db));
+                let part = da / (da - db);
+                polygon[len] = core::array::from_fn(|i| a[i] + (b[i] - a[i]) * part);
                 len += 1;
             }
             if len == 8 {
@@ -187,11 +208,11 @@ fn clipped(view: &View, r: [Vec3; 3]) -> Option<Rect> {
     let mut rect = Rect { z: f32::INFINITY, ..Rect::EMPTY };
     let mut near = f32::INFINITY;
     for v in &polygon[..len] {
-        near = near.min(v.z as f32);
+        near = near.min(v[2] as f32);
         if near <= CLIP * view.size {
             return Some(full);
         }
-        rect = rect.with((v.x / v.z) as f32, (v.y / v.z) as f32);
+        rect = rect.with((v[0] / v[2]) as f32, (v[1] / v[2]) as f32);
     }
     Some(rect.widened(2.0 * MARGIN * view.reach / near))
 }

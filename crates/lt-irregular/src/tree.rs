@@ -2,7 +2,7 @@
 
 use crate::block::{BLOCK, Block};
 use crate::casters::Casters;
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Level};
 use crate::planes::Planes;
 use crate::rect::Rect;
 use crate::split::{Item, split};
@@ -16,6 +16,7 @@ pub(crate) const LEAF: u32 = 0x8000_0000;
 /// Link of an empty slot.
 const NOWHERE: u32 = u32::MAX;
 /// Ranges of at least this many items are built as tasks of their own.
+#[cfg(feature = "std")]
 const TASK: usize = 4096;
 
 /// Eight rectangles side by side.
@@ -109,6 +110,16 @@ impl Tree {
         let builder = Builder { view: &view, casters };
         let part = if items.is_empty() { Part::default() } else { builder.subtree(&mut items) };
         Tree { view, nodes: part.nodes, blocks: part.blocks }
+    }
+
+    /// Asks for what a link leads to, that it may have come by the time it is needed.
+    #[inline(always)]
+    pub fn prefetch<L: Level>(&self, level: L, link: u32) {
+        if link & LEAF == 0 {
+            level.prefetch(&self.nodes[link as usize]);
+        } else {
+            level.prefetch(self.block(link));
+        }
     }
 
     /// What a leaf's link leads to.

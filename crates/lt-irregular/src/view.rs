@@ -11,6 +11,7 @@
 //! The axis is the world axis of the ray's largest component, as in the ray tracer's triangle test; so a positioned light sees six
 //! faces of a cube, and no frame of its own needs to be chosen.
 
+use crate::lanes::Lanes;
 use lt_bvh::{Node, Ray};
 use lt_math::glam::{Vec3, Vec4};
 
@@ -187,6 +188,43 @@ impl View {
             Rays::Converging { .. } => {
                 let d = permute(ray.direction, self.axis);
                 LightPoint { x: d.x / d.z, y: d.y / d.z, z: self.sign / d.z }
+            }
+        }
+    }
+
+    /// The coordinates that become x, y and z.
+    #[inline(always)]
+    pub(crate) fn axes(&self) -> [usize; 3] {
+        [[1, 2, 0], [2, 0, 1], [0, 1, 2]][self.axis as usize % 3]
+    }
+
+    /// [`View::point`] and [`View::takes`] of several rays, given by their origins in permuted axes.
+    #[inline(always)]
+    pub(crate) fn points<L: Lanes>(&self, lanes: L, origin: [L::F; 3]) -> ([L::F; 3], u32) {
+        let (low, high) = (permute(self.domain.low, self.axis), permute(self.domain.high, self.axis));
+        let mut taken = lanes.le(lanes.splat(low.x), origin[0]) & lanes.le(origin[0], lanes.splat(high.x));
+        taken &= lanes.le(lanes.splat(low.y), origin[1]) & lanes.le(origin[1], lanes.splat(high.y));
+        taken &= lanes.le(lanes.splat(low.z), origin[2]) & lanes.le(origin[2], lanes.splat(high.z));
+        let sign = lanes.splat(self.sign);
+        match self.rays {
+            Rays::Parallel { shear, middle } => {
+                let qx = lanes.sub(origin[0], lanes.splat(middle.x));
+                let qy = lanes.sub(origin[1], lanes.splat(middle.y));
+                let qz = lanes.sub(origin[2], lanes.splat(middle.z));
+                let x = lanes.neg_mul_add(lanes.splat(shear.x), qz, qx);
+                let y = lanes.neg_mul_add(lanes.splat(shear.y), qz, qy);
+                ([x, y, lanes.mul(sign, qz)], taken)
+            }
+            Rays::Converging { light } => {
+                let dx = lanes.sub(lanes.splat(light.x), origin[0]);
+                let dy = lanes.sub(lanes.splat(light.y), origin[1]);
+                let dz = lanes.sub(lanes.splat(light.z), origin[2]);
+                let (ax, ay, length) = (lanes.abs(dx), lanes.abs(dy), lanes.mul(sign, dz));
+                taken &= lanes.lt(lanes.splat(LEAST_LENGTH), length);
+                // Of equally large components the first in the order x, y, z is the main one; the axes here are turned.
+                taken &= if self.axis == 2 { lanes.lt(ax, length) } else { lanes.le(ax, length) };
+                taken &= if self.axis == 0 { lanes.le(ay, length) } else { lanes.lt(ay, length) };
+                ([lanes.div(dx, dz), lanes.div(dy, dz), lanes.div(sign, dz)], taken)
             }
         }
     }

@@ -1,14 +1,14 @@
 //! Points through a tree: in streams that are thinned out on the way down, one by one where few are left.
 
-use crate::block::{ASKS, Answer, Block, NOBODY, Spreadout};
+use crate::block::{ASKS, Answer, Block, NOBODY};
 use crate::casters::{Plane, Query};
 use crate::lanes::{Lanes, Level};
 use crate::rect::Rect;
 use crate::tree::{LEAF, Tree};
 use crate::view::{View, permute};
 use alloc::vec::Vec;
-use lt_bvh::{AnyHit, Ray};
-use lt_math::glam::{Vec3, Vec4};
+use lt_bvh::AnyHit;
+use lt_math::glam::Vec3;
 
 /// Room behind every list, so that whole registers may be written at its end.
 const SLACK: usize = 16;
@@ -29,6 +29,8 @@ pub(crate) struct Stream {
     origins: Vec<Vec3>,
     /// Places in the caller's list.
     sources: Vec<u32>,
+    /// Points in it; the lists above have room to spare.
+    len: usize,
     lists: Lists,
     path: Vec<Step>,
     /// Points blocked so far.
@@ -70,57 +72,58 @@ impl Lists {
 }
 
 impl Stream {
-    /// Takes the rays that the view takes from `origins`, whose first is the caller's `first`; those of no view go to `strays`.
-    pub fn fill(&mut self, view: &View, light: Vec4, origins: &[Vec3], first: u32) {
-        self.x.clear();
-        self.y.clear();
-        self.z.clear();
-        self.origins.clear();
-        self.sources.clear();
+    /// Takes the rays that the view takes; how many.
+    #[inline(always)]
+    pub fn fill<P: Lanes>(&mut self, lanes: P, view: &View, origins: &[Vec3]) -> usize {
+        let room = origins.len() + SLACK;
+        for list in [&mut self.x, &mut self.y, &mut self.z] {
+            list.resize(room, 0.0);
+        }
+        self.origins.resize(room, Vec3::ZERO);
+        self.sources.resize(room, 0);
         self.blocked = 0;
-        for (i, &origin) in origins.iter().enumerate() {
-            let ray = Ray::to_light(origin, light);
-            if view.takes(&ray) {
-                let point = view.point(&ray);
-                self.x.push(point.x);
-                self.y.push(point.y);
-                self.z.push(point.z);
-                self.origins.push(origin);
-                self.sources.push(first + i as u32);
+        let [x, y, z] = view.axes();
+        let mut len = 0;
+        for (chunk, some) in origins.chunks(P::WIDTH).enumerate() {
+            // What is not given starts nowhere, which no view takes.
+            let mut o = [[f32::NAN; 16]; 3];
+            for (i, from) in some.iter().enumerate() {
+                (o[0][i], o[1][i], o[2][i]) = (from[x], from[y], from[z]);
+            }
+            let (point, taken) =
+                view.points(lanes, [lanes.load(&o[0]), lanes.load(&o[1]), lanes.load(&o[2])]);
+            lanes.compress(taken, point[0], &mut self.x[len..]);
+            lanes.compress(taken, point[1], &mut self.y[len..]);
+            lanes.compress(taken, point[2], &mut self.z[len..]);
+            let mut rest = taken;
+            while rest != 0 {
+                let i = rest.trailing_zeros() as usize;
+                rest &= rest - 1;
+                self.origins[len] = some[i];
+                self.sources[len] = (chunk * P::WIDTH + i) as u32;
+                len += 1;
             }
         }
-    }
-
-    /// Rays of the list that start outside of the view's domain.
-    #[inline(always)]
-    pub fn strays<'a>(
-        view: &'a View,
-        light: Vec4,
-        origins: &'a [Vec3],
-    ) -> impl Iterator<Item = (usize, Vec3)> + 'a {
-        origins
-            .iter()
-            .enumerate()
-            .filter(move |(_, o)| view.is_stray(&Ray::to_light(**o, light)))
-            .map(|(i, o)| (i, *o))
+        self.len = len;
+        len
     }
 
     /// The caller's places of the points that are blocked.
     pub fn blocked(&self) -> impl Iterator<Item = usize> + '_ {
-        self.z.iter().zip(&self.sources).filter(|(z, _)| **z == SETTLED).map(|(_, s)| *s as usize)
+        self.z[..self.len].iter().zip(&self.sources).filter(|(z, _)| **z == SETTLED).map(|(_, s)| *s as usize)
     }
 
     /// Walks the tree with all points.
     #[inline(always)]
     pub fn walk<L: Level, A: AnyHit>(&mut self, level: L, tree: &Tree, query: &Query<'_, A>) {
-        let len = self.x.len();
+        let len = self.len;
         if tree.nodes.is_empty() || len == 0 {
             return;
         }
         self.lists.reserve(len);
-        self.lists.x[..len].copy_from_slice(&self.x);
-        self.lists.y[..len].copy_from_slice(&self.y);
-        self.lists.z[..len].copy_from_slice(&self.z);
+        self.lists.x[..len].copy_from_slice(&self.x[..len]);
+        self.lists.y[..len].copy_from_slice(&self.y[..len]);
+        self.lists.z[..len].copy_from_slice(&self.z[..len]);
         for (i, id) in self.lists.ids[..len].iter_mut().enumerate() {
             *id = i as u32;
         }
@@ -234,7 +237,7 @@ impl Stream {
             if id == NOBODY {
                 break;
             }
-            let planes = Spreadout::new(lanes, &block.planes(slot));
+            let planes = block.spread_out(lanes, slot);
             let mut at = start;
             while at < start + len {
                 let x = lanes.load(&self.lists.x[at..]);

@@ -1,7 +1,9 @@
 //! Every structure answers as the ray tracer does, bit for bit, on millions of rays, hard ones among them.
 
 use lt_bvh::{AnyHit, BuildQuality, Bvh, Opaque, Ray, Simd, Tracer};
-use lt_irregular::{Bounds, Casters, Instructions, LightBvh, Scratch};
+use lt_irregular::{
+    Bounds, Casters, DivideAndConquer, Instructions, LightBvh, Options, PointOrder, SampleMap, Scratch, Walk,
+};
 use lt_math::glam::{Vec3, Vec4};
 
 /// A small generator of numbers (splitmix64).
@@ -148,22 +150,52 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
         assert_eq!(lt_bvh::occluded(bvh.nodes(), bvh.triangles(), *ray, any_hit), *expected);
     }
     let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
-    let tree = LightBvh::build(light, soup.bounds(), casters);
-    tree.validate(casters).expect("is valid");
-    for instructions in Instructions::available() {
-        let tree = tree.clone().with_instructions(instructions).expect("available");
-        let mut found = vec![false; rays.len()];
-        tree.occluded(casters, origins, any_hit, &mut found, &mut Scratch::default());
+    let judge = |what: &str, found: &[bool]| {
         let wrong: Vec<usize> = (0..rays.len()).filter(|&i| found[i] != expected[i]).collect();
         if let Some(&i) = wrong.first() {
             panic!(
-                "{label} {instructions:?}: {} of {} differ, first {i}: {:?} expected {}",
+                "{label} {what}: {} of {} differ, first {i}: {:?} expected {}",
                 wrong.len(),
                 rays.len(),
                 rays[i],
                 expected[i]
             );
         }
+    };
+    let tree = LightBvh::build(light, soup.bounds(), casters);
+    tree.validate(casters).expect("is valid");
+    for instructions in Instructions::available() {
+        let tree = tree.clone().with_instructions(instructions).expect("available");
+        for walk in Walk::ALL {
+            let mut found = vec![false; rays.len()];
+            tree.occluded_by(walk, casters, origins, any_hit, &mut found, &mut Scratch::default());
+            judge(&format!("light BVH, {instructions:?}, {walk:?}"), &found);
+        }
+    }
+    let mut counted = Vec::new();
+    for instructions in Instructions::available() {
+        for order in [PointOrder::Median, PointOrder::Morton] {
+            let options = Options { instructions, order, ..Options::default() };
+            let mut map = SampleMap::build(light, soup.bounds(), casters, origins, options);
+            map.validate().expect("is valid");
+            let mut found = vec![false; rays.len()];
+            let counters = map.occluded(casters, origins, any_hit, &mut found);
+            judge(&format!("sample map, {instructions:?}, {order:?}"), &found);
+            counted.push((order, counters.nodes_visited, counters.samples_tested));
+        }
+    }
+    // How many instructions do it at a time changes nothing that is counted.
+    for (order, nodes, samples) in &counted {
+        assert!(
+            counted.iter().all(|c| c.0 != *order || (c.1, c.2) == (*nodes, *samples)),
+            "{label}: {counted:?}"
+        );
+    }
+    for instructions in Instructions::available() {
+        let mut found = vec![false; rays.len()];
+        let both = DivideAndConquer::new(light, soup.bounds()).with_instructions(instructions);
+        both.expect("available").occluded(casters, origins, any_hit, &mut found);
+        judge(&format!("divide and conquer, {instructions:?}"), &found);
     }
     expected.iter().filter(|b| **b).count()
 }
@@ -197,11 +229,11 @@ fn the_light_bvh_answers_as_the_ray_tracer_does() {
         for light in lights(&mut random, scale, offset) {
             let count = [3, 200, 1500][random.below(3)];
             let soup = Soup::mixed(&mut random, count, light.truncate()).moved(scale, offset);
-            let starts = origins(&mut random, &soup, light, 12_000);
+            let starts = origins(&mut random, &soup, light, 4_000);
             let label = format!("scale {scale} offset {offset} light {light} triangles {count}");
             blocked += compare(&label, &soup, light, &starts, Opaque);
-            blocked += compare(&label, &soup, light, &starts[..4000], Checks);
-            total += starts.len() + 4000;
+            blocked += compare(&label, &soup, light, &starts[..1500], Checks);
+            total += starts.len() + 1500;
         }
     }
     println!("{blocked} of {total} blocked");
@@ -226,4 +258,32 @@ fn rays_from_outside_and_broken_rays_are_answered_too() {
         starts.extend((0..2000).map(|_| random.vector() * 0.3 - light.truncate() * random.unit() * 10.0));
         compare(&format!("light {light}"), &soup, light, &starts, Opaque);
     }
+}
+
+/// Sets that break structures: they must end, and soon.
+#[test]
+fn pathological_sets_are_answered() {
+    let mut random = Random(3);
+    let light = Vec4::new(0.2, 1.0, 0.3, 0.0);
+    // Large triangles in one place, with rays from between, below and above.
+    let mut coincident = Soup::new();
+    (0..10_000).for_each(|_| coincident.push([Vec3::ZERO, Vec3::X * 100.0, Vec3::Z * 100.0]));
+    let starts: Vec<Vec3> = (0..3000).map(|_| random.vector() * 60.0).collect();
+    compare("coincident", &coincident, light, &starts, Opaque);
+    // All rays from one place.
+    let soup = Soup::mixed(&mut random, 3000, light.truncate());
+    compare("one place", &soup, light, &[Vec3::new(0.1, -0.5, 0.2); 3000], Opaque);
+    // Slivers across everything.
+    let mut slivers = Soup::new();
+    for _ in 0..3000 {
+        let (a, b) = (random.vector() * 50.0, random.vector() * 50.0);
+        slivers.push([a, b, b + random.vector() * 1e-3]);
+    }
+    compare("slivers", &slivers, light, &starts, Opaque);
+    // Nothing, and what the builder drops: no area, no numbers.
+    let mut dropped = Soup::new();
+    dropped.push([Vec3::ZERO, Vec3::ZERO, Vec3::ONE]);
+    dropped.push([Vec3::NAN, Vec3::X, Vec3::Y]);
+    dropped.push([Vec3::ZERO, Vec3::X, Vec3::Y]);
+    compare("dropped", &dropped, light, &starts, Opaque);
 }

@@ -22,7 +22,7 @@ impl BuildQuality {
         match self {
             BuildQuality::Fast => BvhBuildParams::very_fast_build(),
             BuildQuality::Medium => {
-                BvhBuildParams { reinsertion_batch_ratio: 0.1, ..BvhBuildParams::medium_build() }
+                BvhBuildParams { reinsertion_batch_ratio: 0.05, ..BvhBuildParams::medium_build() }
             }
             BuildQuality::Slow => BvhBuildParams::very_slow_build(),
         }

@@ -34,6 +34,15 @@ pub(crate) trait NodeLanes: Lanes {
     type Rays: Lanes;
     fn rays(self) -> Self::Rays;
 
+    /// Eight sets of up to 64 rays, one for each child.
+    type Sets: Copy;
+    /// All empty.
+    fn no_sets(self) -> Self::Sets;
+    /// Adds the ray of `bit` to the sets named by `mask`.
+    fn add_to_sets(self, sets: Self::Sets, mask: u32, bit: u64) -> Self::Sets;
+    /// The sets as masks.
+    fn stored_sets(self, sets: Self::Sets) -> [u64; 8];
+
     /// Writes the `values` whose bit is set in `mask` to the start of `to`, in order. What follows them in `to`
     /// is unspecified.
     #[inline(always)]
@@ -45,6 +54,16 @@ pub(crate) trait NodeLanes: Lanes {
             len += 1;
         }
     }
+}
+
+/// [`NodeLanes::add_to_sets`] on an array.
+#[inline(always)]
+fn add_to_sets(sets: [u64; 8], mask: u32, bit: u64) -> [u64; 8] {
+    let mut sets = sets;
+    for (i, set) in sets.iter_mut().enumerate() {
+        *set |= bit & u64::from(mask >> i & 1).wrapping_neg();
+    }
+    sets
 }
 
 /// Plain arrays, for every processor.
@@ -126,12 +145,25 @@ impl NodeLanes for Portable {
     fn rays(self) -> Portable {
         self
     }
+    type Sets = [u64; 8];
+    #[inline(always)]
+    fn no_sets(self) -> [u64; 8] {
+        [0; 8]
+    }
+    #[inline(always)]
+    fn add_to_sets(self, sets: [u64; 8], mask: u32, bit: u64) -> [u64; 8] {
+        add_to_sets(sets, mask, bit)
+    }
+    #[inline(always)]
+    fn stored_sets(self, sets: [u64; 8]) -> [u64; 8] {
+        sets
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod x86 {
     //! The same on x86-64 extensions.
-    use super::{Lanes, NodeLanes};
+    use super::{Lanes, NodeLanes, add_to_sets};
     use core::arch::x86_64::*;
 
     /// Proof that the processor has AVX2, FMA, and the bit counting that came with them (BMI1, BMI2, POPCNT).
@@ -288,6 +320,19 @@ pub(crate) mod x86 {
         fn rays(self) -> Avx2 {
             self
         }
+        type Sets = [u64; 8];
+        #[inline(always)]
+        fn no_sets(self) -> [u64; 8] {
+            [0; 8]
+        }
+        #[inline(always)]
+        fn add_to_sets(self, sets: [u64; 8], mask: u32, bit: u64) -> [u64; 8] {
+            add_to_sets(sets, mask, bit)
+        }
+        #[inline(always)]
+        fn stored_sets(self, sets: [u64; 8]) -> [u64; 8] {
+            sets
+        }
     }
 
     impl NodeLanes for Avx512 {
@@ -295,6 +340,19 @@ pub(crate) mod x86 {
         #[inline(always)]
         fn rays(self) -> Avx512Rays {
             Avx512Rays(self)
+        }
+        type Sets = __m512i;
+        instruction!(no_sets() -> __m512i, _mm512_setzero_si512());
+        instruction!(
+            add_to_sets(sets: __m512i, mask: u32, bit: u64) -> __m512i,
+            _mm512_mask_or_epi64(sets, mask as u8, sets, _mm512_set1_epi64(bit as i64))
+        );
+        #[inline(always)]
+        fn stored_sets(self, sets: __m512i) -> [u64; 8] {
+            let mut to = [0u64; 8];
+            // SAFETY: `self` proves AVX-512F; eight u64 are writable, and the store asks for no alignment.
+            unsafe { _mm512_storeu_si512(to.as_mut_ptr().cast(), sets) };
+            to
         }
         #[inline(always)]
         fn compress(self, mask: u32, values: &[u32; 8], to: &mut [u32; 8]) {

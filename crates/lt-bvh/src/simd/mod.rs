@@ -9,6 +9,7 @@ mod prepared;
 mod refit;
 mod traverse;
 mod tree;
+mod visits;
 
 use crate::any_hit::AnyHit;
 use crate::build::{Bvh, InstancedBvh, instance_bounds};
@@ -35,7 +36,8 @@ pub enum SimdLevel {
 pub enum Grouping {
     /// One by one, eight boxes or triangles at a time.
     Single,
-    /// 64 at a time, eight or sixteen rays per box or triangle.
+    /// 64 at a time: eight or sixteen rays per box or triangle, or one by one where few rays meet the same boxes, so that
+    /// big triangles and small ones, neighbours and scattered rays need no other choice.
     Packets,
 }
 

@@ -2,136 +2,70 @@
 //!
 //! A node is first tested once for each group of ray lanes, eight children at a time, then each child that remains by the
 //! rays of the group themselves. Which rays are where is exact at every node, so that a packet of rays that drift apart turns
-//! into a stream of small groups, and then into single rays, instead of testing what none of its rays meets.
+//! into a stream: rays that share a node's data and nothing else are tested one by one, and while one node's data are
+//! fetched others are tested ([`super::visits`]).
 
-use super::lanes::{Lanes, NodeLanes};
-use super::packet::{Frusta, Kind, PACKET, Packet, Planes, Run, Weights, bits_at};
+use super::lanes::NodeLanes;
+use super::packet::{Frusta, Kind, PACKET, Packet, Run, Weights};
 use super::prepared::Prepared;
 use super::traverse::{self, Instanced, Scratch};
-use super::tree::{LEAF, Part, ROOT, STACK, SimdTree, WideNode};
+use super::tree::{LEAF, Part, ROOT, SimdTree};
+use super::visits::{Visit, Walk};
 use crate::any_hit::AnyHit;
 use crate::ray::{NONE, Ray};
 use crate::slab::{Span, WHOLE_RAY};
 
 /// Packets of fewer rays do not repay their preparation.
 const LEAST_RAYS: usize = 4;
-/// So few rays are tested against a node one by one, eight children at a time.
-const FEW: u32 = 8;
-
-/// A packet's way through one tree.
-struct Walk {
-    /// Links still to visit, each with the rays that reached it.
-    links: [u32; STACK],
-    masks: [u64; STACK],
-    /// The leaf that blocked rays of the last packet, if any were: its neighbour's rays likely end there too.
-    blocker: u32,
-}
-
-impl Walk {
-    fn new() -> Self {
-        Walk { links: [0; STACK], masks: [0; STACK], blocker: NONE }
-    }
-}
 
 /// What the leaves of a tree hold, and what it means that rays reach them.
 trait Leaves<L: NodeLanes> {
     fn tree(&self) -> &SimdTree;
+    /// Starts to fetch what a link leads to.
+    fn prefetch(&self, link: u32);
     /// Which rays of `mask` a leaf blocks.
     fn blocked(&mut self, lanes: L, packet: &Packet, link: u32, mask: u64) -> u64;
-    /// The leaf that blocks a ray that is alone in the subtree at `link`, [`NONE`] if none does; `None` to go on as a
-    /// packet of one.
-    fn blocker_alone(&mut self, lanes: L, packet: &Packet, link: u32, ray: usize) -> Option<u32>;
 }
 
 /// Which rays of a packet prepared for the tree it blocks.
 #[inline(always)]
-fn blocked<L: NodeLanes, T: Leaves<L>>(lanes: L, leaves: &mut T, packet: &Packet, walk: &mut Walk) -> u64 {
-    let rays = lanes.rays();
-    let frusta: Frusta<L> = packet.frusta(lanes, leaves.tree());
-    let ends = packet.ends(rays);
-    let mut planes = Planes::none();
+fn blocked<L: NodeLanes, T: Leaves<L>>(
+    lanes: L,
+    leaves: &mut T,
+    packet: &mut Packet,
+    walk: &mut Walk,
+) -> u64 {
+    let mut frusta: Frusta<L> = packet.frusta(lanes, leaves.tree());
     let mut alive = packet.all();
     if walk.blocker != NONE {
         let found = leaves.blocked(lanes, packet, walk.blocker, alive);
         alive &= !found;
         walk.blocker = if found != 0 { walk.blocker } else { NONE };
     }
-    walk.links[0] = ROOT;
-    walk.masks[0] = alive;
-    let mut len = 1;
-    while len > 0 {
-        len -= 1;
-        let (link, here) = (walk.links[len], walk.masks[len] & alive);
-        if here == 0 {
-            continue;
-        }
-        let count = here.count_ones();
-        if count == 1
-            && let Some(found) = leaves.blocker_alone(lanes, packet, link, here.trailing_zeros() as usize)
-        {
-            if found != NONE {
-                alive &= !here;
-                walk.blocker = found;
-            }
-            continue;
-        }
-        if link & LEAF != 0 {
-            let found = leaves.blocked(lanes, packet, link, here);
+    walk.push(Visit { link: ROOT, is_spread: false, rays: alive });
+    while let Some(visit) = walk.next(alive, |link| leaves.prefetch(link)) {
+        if visit.link & LEAF != 0 {
+            let found = leaves.blocked(lanes, packet, visit.link, visit.rays);
             if found != 0 {
                 alive &= !found;
-                walk.blocker = link;
+                walk.blocker = visit.link;
             }
             continue;
         }
-        let node = &leaves.tree().nodes[link as usize];
-        let mut reached = [0u64; 8];
-        let mut children = 0;
-        if count <= FEW {
-            children = alone(lanes, packet, node, here, &mut reached);
+        let node = &leaves.tree().nodes[visit.link as usize];
+        let (reached, is_spread) = if visit.is_spread {
+            (packet.reach_alone(lanes, node, visit.rays), true)
         } else {
-            let mut at = 0;
-            frusta.read(lanes, node, &mut planes);
-            while at < PACKET {
-                let group = bits_at::<L::Rays>(here, at);
-                let mut may_meet =
-                    if group == 0 { 0 } else { frusta.test(lanes, &planes, at / <L::Rays as Lanes>::WIDTH) };
-                while may_meet != 0 {
-                    let child = may_meet.trailing_zeros() as usize & 7;
-                    may_meet &= may_meet - 1;
-                    let met = packet.meets(rays, &planes, child, at, ends) & group;
-                    reached[child] |= u64::from(met) << at;
-                    children |= u32::from(met != 0) << child;
-                }
-                at += <L::Rays as Lanes>::WIDTH;
-            }
-        }
+            frusta.reach(lanes, packet, node, visit.rays)
+        };
+        let mut children = reached.children;
         while children != 0 {
             let child = children.trailing_zeros() as usize & 7;
             children &= children - 1;
-            walk.links[len] = node.children[child];
-            walk.masks[len] = reached[child];
-            len += 1;
+            walk.push(Visit { link: node.children[child], is_spread, rays: reached.rays[child] });
         }
     }
     packet.all() & !alive
-}
-
-/// Tests the rays of `mask` against a node one by one; which children any of them meets, and which meet each.
-#[inline(always)]
-fn alone<L: NodeLanes>(lanes: L, packet: &Packet, node: &WideNode, mask: u64, reached: &mut [u64; 8]) -> u32 {
-    let (mut mask, mut children) = (mask, 0);
-    while mask != 0 {
-        let ray = mask.trailing_zeros() as usize;
-        let bit = mask & mask.wrapping_neg();
-        mask ^= bit;
-        let (_, mut met) = packet.boxes(lanes, ray).test(lanes, node, lanes.splat(packet.ray(ray).tmax));
-        children |= met;
-        while met != 0 {
-            reached[met.trailing_zeros() as usize & 7] |= bit;
-            met &= met - 1;
-        }
-    }
-    children
 }
 
 /// Blocks of triangles.
@@ -139,7 +73,6 @@ struct Triangles<'a, 's, A> {
     part: Part<'a>,
     any_hit: A,
     weights: &'s mut Weights,
-    scratch: &'s mut Scratch,
 }
 
 impl<L: NodeLanes, A: AnyHit> Leaves<L> for Triangles<'_, '_, A> {
@@ -149,9 +82,26 @@ impl<L: NodeLanes, A: AnyHit> Leaves<L> for Triangles<'_, '_, A> {
     }
 
     #[inline(always)]
+    fn prefetch(&self, link: u32) {
+        self.part.tree.prefetch(link);
+    }
+
+    #[inline(always)]
     fn blocked(&mut self, lanes: L, packet: &Packet, link: u32, mask: u64) -> u64 {
         let rays = lanes.rays();
         let block = self.part.tree.block(link);
+        // What either way costs is the number of its tests.
+        if mask.count_ones() < Packet::groups_of::<L::Rays>(mask) * block.len() as u32 {
+            let (mut rest, mut found) = (mask, 0);
+            while rest != 0 {
+                let prepared: Prepared<L> = packet.single(lanes, rest.trailing_zeros() as usize);
+                if prepared.is_blocked_by(lanes, self.part, link, self.any_hit) {
+                    found |= rest & rest.wrapping_neg();
+                }
+                rest &= rest - 1;
+            }
+            return found;
+        }
         let mut alive = mask;
         for lane in 0..block.len() {
             if alive == 0 {
@@ -172,12 +122,6 @@ impl<L: NodeLanes, A: AnyHit> Leaves<L> for Triangles<'_, '_, A> {
             }
         }
         mask & !alive
-    }
-
-    #[inline(always)]
-    fn blocker_alone(&mut self, lanes: L, packet: &Packet, link: u32, ray: usize) -> Option<u32> {
-        let prepared: Prepared<L> = packet.single(lanes, ray);
-        Some(traverse::blocker(lanes, self.part, &prepared, link, self.any_hit, self.scratch))
     }
 }
 
@@ -207,9 +151,8 @@ impl Work {
     ) -> u64 {
         self.packet.fill(kind, run, rays, windows);
         self.packet.prepare(lanes.rays(), part.tree);
-        let (weights, scratch) = (&mut self.weights, &mut self.scratch);
-        let mut leaves = Triangles { part, any_hit, weights, scratch };
-        blocked(lanes, &mut leaves, &self.packet, &mut self.walk)
+        let mut leaves = Triangles { part, any_hit, weights: &mut self.weights };
+        blocked(lanes, &mut leaves, &mut self.packet, &mut self.walk)
     }
 }
 
@@ -269,6 +212,13 @@ impl<L: NodeLanes, A: AnyHit> Leaves<L> for Instances<'_, '_, A> {
     }
 
     #[inline(always)]
+    fn prefetch(&self, link: u32) {
+        if link & LEAF == 0 {
+            self.view.tlas.prefetch(link);
+        }
+    }
+
+    #[inline(always)]
     fn blocked(&mut self, lanes: L, packet: &Packet, link: u32, mask: u64) -> u64 {
         let index = link & !LEAF;
         if *self.last != index {
@@ -316,11 +266,6 @@ impl<L: NodeLanes, A: AnyHit> Leaves<L> for Instances<'_, '_, A> {
         }
         found
     }
-
-    #[inline(always)]
-    fn blocker_alone(&mut self, _: L, _: &Packet, _: u32, _: usize) -> Option<u32> {
-        None
-    }
 }
 
 /// Whether each ray is blocked by placed trees.
@@ -353,7 +298,7 @@ pub(crate) fn occluded_instanced<L: NodeLanes, A: AnyHit>(
                 packet.prepare(lanes.rays(), view.tlas);
                 let (entered, work, last) = (&mut entered, &mut work, &mut last);
                 let mut leaves = Instances { view, any_hit, entered, work, last };
-                let blocked = blocked(lanes, &mut leaves, &packet, &mut walk);
+                let blocked = blocked(lanes, &mut leaves, &mut packet, &mut walk);
                 for (i, out) in out.iter_mut().enumerate() {
                     *out = blocked >> i & 1 != 0;
                 }

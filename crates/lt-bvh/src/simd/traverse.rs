@@ -105,16 +105,15 @@ pub(crate) fn blocker<L: NodeLanes, A: AnyHit>(
             let node = &part.tree.nodes[link as usize];
             let (_, mask) = prepared.boxes.test(lanes, node, tmax);
             if mask != 0 {
-                // The last child goes on at once, the others wait.
+                // The last child goes on at once, the others wait. They are written one by one: a wide store would have to
+                // reach the cache before a link could be read back from it.
                 let last = 31 - mask.leading_zeros();
                 link = node.children[last as usize & 7];
-                let rest = mask & !(1 << last);
-                if rest != 0 {
-                    let first = len;
-                    len = push(lanes, rest, &node.children, links, len);
-                    for &waiting in &links[first..len] {
-                        part.tree.prefetch(waiting);
-                    }
+                let mut rest = mask & !(1 << last);
+                while rest != 0 {
+                    links[len] = node.children[rest.trailing_zeros() as usize & 7];
+                    rest &= rest - 1;
+                    len += 1;
                 }
                 continue;
             }

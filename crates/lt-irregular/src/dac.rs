@@ -1,0 +1,467 @@
+//! Divide and conquer over triangles and points together (after Mora, "Naive Ray-Tracing: A Divide-And-Conquer Approach", 2011): no tree
+//! is built and nothing is kept.
+//!
+//! The points are halved in the middle of their rectangle, along its longer side; each half takes of the triangles those that overlap its own
+//! rectangle and are not all behind its points. Both lists lie in arrays, row by row, and the halves are written behind them. A triangle that
+//! covers a rectangle above all of its points finishes them.
+//!
+//! Memory is the rectangles of all triangles, and per thread at most as much again for each of [`DEPTH`] levels; lists only shrink. Time
+//! is at worst that of every triangle against every leaf of points.
+
+use crate::block::{BLOCK, Block, Spread};
+use crate::casters::{Casters, Query};
+use crate::lanes::{Lanes, Level};
+use crate::level::{Chosen, Instructions, Work};
+use crate::planes::Planes;
+use crate::rect::Rect;
+use crate::tile::{TILE, Tile, least, most};
+use crate::tree::items;
+use crate::view::{Bounds, View};
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use lt_bvh::{AnyHit, Ray};
+use lt_math::glam::{Vec3, Vec4};
+
+/// Up to this many points are not divided further.
+const LEAF: usize = 128;
+/// Points to a task of a thread.
+const TASK: usize = 1 << 18;
+/// Levels of division; what is left then is a leaf, however large.
+const DEPTH: usize = 40;
+/// Fewer triangles than this are not worth dividing the points for.
+const FEW: usize = 24;
+/// Room behind every list, so that whole registers may be written at its end.
+const SLACK: usize = 16;
+
+/// Answers lists of shadow rays to one light from the triangles alone; see the [module](self).
+#[derive(Clone, Copy, Debug)]
+pub struct DivideAndConquer {
+    light: Vec4,
+    domain: Bounds,
+    instructions: Instructions,
+}
+
+/// Rectangles and the triangles that they belong to.
+#[derive(Default)]
+struct Lists {
+    x0: Vec<f32>,
+    x1: Vec<f32>,
+    y0: Vec<f32>,
+    y1: Vec<f32>,
+    z: Vec<f32>,
+    ids: Vec<u32>,
+}
+
+impl Lists {
+    fn of(view: &View, casters: Casters<'_>) -> (Self, usize) {
+        let items = items(view, casters);
+        let mut lists = Lists::default();
+        lists.reserve(items.len());
+        for (i, item) in items.iter().enumerate() {
+            (lists.x0[i], lists.x1[i]) = (item.rect.x0, item.rect.x1);
+            (lists.y0[i], lists.y1[i]) = (item.rect.y0, item.rect.y1);
+            (lists.z[i], lists.ids[i]) = (item.rect.z, item.triangle);
+        }
+        (lists, items.len())
+    }
+
+    fn reserve(&mut self, end: usize) {
+        if self.ids.len() < end + SLACK {
+            let len = end + end / 2 + SLACK;
+            for row in [&mut self.x0, &mut self.x1, &mut self.y0, &mut self.y1, &mut self.z] {
+                row.resize(len, 0.0);
+            }
+            self.ids.resize(len, 0);
+        }
+    }
+
+    /// Whether any of eight triangles may block points in `rect`.
+    #[inline(always)]
+    fn meet<E: Lanes>(&self, lanes: E, at: usize, rect: &Rect) -> bool {
+        let mask = lanes.le(lanes.load(&self.x0[at..]), lanes.splat(rect.x1))
+            & lanes.le(lanes.splat(rect.x0), lanes.load(&self.x1[at..]))
+            & lanes.le(lanes.load(&self.y0[at..]), lanes.splat(rect.y1))
+            & lanes.le(lanes.splat(rect.y0), lanes.load(&self.y1[at..]))
+            & lanes.le(lanes.splat(rect.z), lanes.load(&self.z[at..]));
+        mask != 0
+    }
+
+    /// Writes those of `from` that may block points in `rect`, of nearness from `rect.z` to `far`, to `to`; how many, and which of
+    /// them covers the rectangle, beyond all points, with the largest nearness.
+    #[inline(always)]
+    fn take<P: Lanes>(
+        &mut self,
+        lanes: P,
+        from: Option<&Lists>,
+        start: usize,
+        len: usize,
+        bounds: &(Rect, f32),
+        to: usize,
+    ) -> (usize, Option<usize>) {
+        self.reserve(to + len);
+        let (rect, far) = bounds;
+        let far = lanes.splat(*far);
+        let mut best: Option<usize> = None;
+        let (x0, x1) = (lanes.splat(rect.x0), lanes.splat(rect.x1));
+        let (y0, y1) = (lanes.splat(rect.y0), lanes.splat(rect.y1));
+        let near = lanes.splat(rect.z);
+        let mut end = to;
+        for at in (start..start + len).step_by(P::WIDTH) {
+            let rows = from.unwrap_or(self);
+            let (a0, a1) = (lanes.load(&rows.x0[at..]), lanes.load(&rows.x1[at..]));
+            let (b0, b1) = (lanes.load(&rows.y0[at..]), lanes.load(&rows.y1[at..]));
+            let z = lanes.load(&rows.z[at..]);
+            let mut mask =
+                lanes.le(a0, x1) & lanes.le(x0, a1) & lanes.le(b0, y1) & lanes.le(y0, b1) & lanes.le(near, z);
+            let left = start + len - at;
+            if left < P::WIDTH {
+                mask &= (1 << left) - 1;
+            }
+            if mask != 0 {
+                let mut ids = [0; 16];
+                ids[..P::WIDTH].copy_from_slice(&rows.ids[at..at + P::WIDTH]);
+                lanes.compress(mask, a0, &mut self.x0[end..]);
+                lanes.compress(mask, a1, &mut self.x1[end..]);
+                lanes.compress(mask, b0, &mut self.y0[end..]);
+                lanes.compress(mask, b1, &mut self.y1[end..]);
+                lanes.compress(mask, z, &mut self.z[end..]);
+                lanes.compress_words(mask, &ids, &mut self.ids[end..]);
+                let mut covers = lanes.le(a0, x0)
+                    & lanes.le(x1, a1)
+                    & lanes.le(b0, y0)
+                    & lanes.le(y1, b1)
+                    & lanes.lt(far, z);
+                covers &= mask;
+                while covers != 0 {
+                    let i = end + (mask & ((1 << covers.trailing_zeros()) - 1)).count_ones() as usize;
+                    covers &= covers - 1;
+                    best = if best.is_none_or(|b| self.z[i] > self.z[b]) { Some(i) } else { best };
+                }
+                end += mask.count_ones() as usize;
+            }
+        }
+        (end - to, best)
+    }
+}
+
+/// Points, row by row.
+#[derive(Default)]
+struct Points {
+    x: Vec<f32>,
+    y: Vec<f32>,
+    z: Vec<f32>,
+    /// Places in the task.
+    ids: Vec<u32>,
+}
+
+impl Points {
+    fn reserve(&mut self, end: usize) {
+        if self.ids.len() < end + SLACK {
+            let len = end + end / 2 + SLACK;
+            for row in [&mut self.x, &mut self.y, &mut self.z] {
+                row.resize(len, 0.0);
+            }
+            self.ids.resize(len, 0);
+        }
+    }
+
+    /// Takes the points of all rays that the view takes; how many.
+    #[inline(always)]
+    fn fill<P: Lanes>(&mut self, lanes: P, view: &View, origins: &[Vec3]) -> usize {
+        self.reserve(origins.len());
+        let [x, y, z] = view.axes();
+        let mut len = 0;
+        for (chunk, some) in origins.chunks(P::WIDTH).enumerate() {
+            // What is not given starts nowhere, which no view takes.
+            let mut o = [[f32::NAN; 16]; 3];
+            let mut ids = [0; 16];
+            for (i, from) in some.iter().enumerate() {
+                (o[0][i], o[1][i], o[2][i]) = (from[x], from[y], from[z]);
+                ids[i] = (chunk * P::WIDTH + i) as u32;
+            }
+            let (point, taken) =
+                view.points(lanes, [lanes.load(&o[0]), lanes.load(&o[1]), lanes.load(&o[2])]);
+            lanes.compress(taken, point[0], &mut self.x[len..]);
+            lanes.compress(taken, point[1], &mut self.y[len..]);
+            lanes.compress(taken, point[2], &mut self.z[len..]);
+            lanes.compress_words(taken, &ids, &mut self.ids[len..]);
+            len += taken.count_ones() as usize;
+        }
+        len
+    }
+
+    /// The rectangle of points with their least nearness, and the largest.
+    #[inline(always)]
+    fn bounds<P: Lanes>(&self, lanes: P, start: usize, len: usize) -> (Rect, f32) {
+        let (infinite, minus) = (lanes.splat(f32::INFINITY), lanes.splat(f32::NEG_INFINITY));
+        let (mut low, mut high) = ([infinite; 3], [minus; 3]);
+        for at in (start..start + len).step_by(P::WIDTH) {
+            let given = first(start + len - at);
+            let point = [lanes.load(&self.x[at..]), lanes.load(&self.y[at..]), lanes.load(&self.z[at..])];
+            for axis in 0..3 {
+                low[axis] = lanes.min(lanes.pick(given, point[axis], infinite), low[axis]);
+                high[axis] = lanes.max(lanes.pick(given, point[axis], minus), high[axis]);
+            }
+        }
+        let rect = Rect {
+            x0: least(lanes, low[0]),
+            x1: most(lanes, high[0]),
+            y0: least(lanes, low[1]),
+            y1: most(lanes, high[1]),
+            z: least(lanes, low[2]),
+        };
+        (rect, most(lanes, high[2]))
+    }
+
+    /// Writes the points below (or not below) a place on an axis behind `to`; how many.
+    #[inline(always)]
+    fn half<P: Lanes>(&mut self, lanes: P, step: &Step, is_upper: bool, to: usize) -> usize {
+        self.reserve(to + step.len);
+        let place = lanes.splat(step.place);
+        let mut end = to;
+        for at in (step.start..step.start + step.len).step_by(P::WIDTH) {
+            let (x, y, z) = (lanes.load(&self.x[at..]), lanes.load(&self.y[at..]), lanes.load(&self.z[at..]));
+            let below = lanes.lt(if step.is_y { y } else { x }, place);
+            let mask = (if is_upper { !below } else { below }) & first(step.start + step.len - at);
+            if mask & first(P::WIDTH) != 0 {
+                let mask = mask & first(P::WIDTH);
+                let mut ids = [0; 16];
+                ids[..P::WIDTH].copy_from_slice(&self.ids[at..at + P::WIDTH]);
+                lanes.compress(mask, x, &mut self.x[end..]);
+                lanes.compress(mask, y, &mut self.y[end..]);
+                lanes.compress(mask, z, &mut self.z[end..]);
+                lanes.compress_words(mask, &ids, &mut self.ids[end..]);
+                end += mask.count_ones() as usize;
+            }
+        }
+        end - to
+    }
+}
+
+/// The lowest bits, as many as `count`.
+#[inline(always)]
+fn first(count: usize) -> u32 {
+    if count >= 32 { u32::MAX } else { (1 << count) - 1 }
+}
+
+/// Memory of a thread.
+#[derive(Default)]
+struct Scratch {
+    lists: Lists,
+    points: Points,
+    tile: Box<Tile>,
+    origins: Vec<Vec3>,
+    blocks: Vec<Block>,
+    path: Vec<Step>,
+}
+
+/// Points that are being halved, and their triangles.
+struct Step {
+    start: usize,
+    len: usize,
+    first_triangle: usize,
+    triangles: usize,
+    /// Where they are cut.
+    is_y: bool,
+    place: f32,
+    /// Halves done.
+    done: u32,
+}
+
+impl Step {
+    fn new(points: (usize, usize), triangles: (usize, usize), rect: &Rect) -> Self {
+        let is_y = rect.y1 - rect.y0 > rect.x1 - rect.x0;
+        let place = if is_y { 0.5 * rect.y0 + 0.5 * rect.y1 } else { 0.5 * rect.x0 + 0.5 * rect.x1 };
+        Step {
+            start: points.0,
+            len: points.1,
+            first_triangle: triangles.0,
+            triangles: triangles.1,
+            is_y,
+            place,
+            done: 0,
+        }
+    }
+}
+
+impl DivideAndConquer {
+    /// For a homogeneous light (w = 0: a sun, `xyz` towards it; w = 1: a position). `domain` must hold all triangles, and should hold all
+    /// origins: a ray from elsewhere is put to every triangle.
+    pub fn new(light: Vec4, domain: Bounds) -> Self {
+        DivideAndConquer { light, domain, instructions: Instructions::best() }
+    }
+
+    /// The same on other instructions; `None` where the processor lacks them.
+    pub fn with_instructions(self, instructions: Instructions) -> Option<Self> {
+        Chosen::new(instructions)?;
+        Some(DivideAndConquer { instructions, ..self })
+    }
+
+    /// Whether the ray from each origin to the light is blocked: the ray tracer's own answers, by all threads there are. Stops at the
+    /// end of the shorter of `origins` and `out`.
+    pub fn occluded<A: AnyHit + Sync>(
+        &self,
+        casters: Casters<'_>,
+        origins: &[Vec3],
+        any_hit: A,
+        out: &mut [bool],
+    ) {
+        let len = origins.len().min(out.len());
+        let (origins, out) = (&origins[..len], &mut out[..len]);
+        out.fill(false);
+        let chosen = Chosen::new(self.instructions).unwrap_or(Chosen::Portable);
+        let query = Query { casters, light: self.light, any_hit };
+        let mut taken = 0;
+        for view in View::of_light(self.light, self.domain, casters.root) {
+            let (all, triangles) = Lists::of(&view, casters);
+            let one = |scratch: &mut Scratch, (origins, out): (&[Vec3], &mut [bool])| {
+                chosen.run(Task { view: &view, query: &query, all: &all, triangles, origins, out, scratch })
+            };
+            taken += each_task(origins, out, one);
+        }
+        if taken < len {
+            for (&origin, out) in origins.iter().zip(out) {
+                let ray = Ray::to_light(origin, self.light);
+                let mut views = View::of_light(self.light, self.domain, casters.root);
+                if ray.is_valid() && !views.any(|view| view.takes(&ray)) {
+                    *out = query.is_blocked_by_any(origin);
+                }
+            }
+        }
+    }
+}
+
+/// Runs every task; the sum of what they return.
+#[cfg(feature = "std")]
+fn each_task(
+    origins: &[Vec3],
+    out: &mut [bool],
+    one: impl Fn(&mut Scratch, (&[Vec3], &mut [bool])) -> usize + Sync + Send,
+) -> usize {
+    use rayon::prelude::*;
+    let tasks = origins.par_chunks(TASK).zip(out.par_chunks_mut(TASK));
+    tasks.map_init(Scratch::default, one).sum()
+}
+
+/// Runs every task; the sum of what they return.
+#[cfg(not(feature = "std"))]
+fn each_task(
+    origins: &[Vec3],
+    out: &mut [bool],
+    one: impl Fn(&mut Scratch, (&[Vec3], &mut [bool])) -> usize,
+) -> usize {
+    let mut scratch = Scratch::default();
+    origins.chunks(TASK).zip(out.chunks_mut(TASK)).map(|task| one(&mut scratch, task)).sum()
+}
+
+struct Task<'a, A> {
+    view: &'a View,
+    query: &'a Query<'a, A>,
+    all: &'a Lists,
+    triangles: usize,
+    origins: &'a [Vec3],
+    out: &'a mut [bool],
+    scratch: &'a mut Scratch,
+}
+
+impl<A: AnyHit> Work for Task<'_, A> {
+    /// Rays that the view took.
+    type Output = usize;
+
+    #[inline(always)]
+    fn run<L: Level>(mut self, level: L) -> usize {
+        let lanes = level.points();
+        let members = self.scratch.points.fill(lanes, self.view, self.origins);
+        if members == 0 {
+            return 0;
+        }
+        let bounds = self.scratch.points.bounds(lanes, 0, members);
+        let (len, _) = self.scratch.lists.take(lanes, Some(self.all), 0, self.triangles, &bounds, 0);
+        // A loop and not a recursion: a function that calls itself would not be compiled for the instructions asked for.
+        let mut path = core::mem::take(&mut self.scratch.path);
+        path.push(Step::new((0, members), (0, len), &bounds.0));
+        while let Some(depth) = path.len().checked_sub(1) {
+            let step = &mut path[depth];
+            if step.done == 2 {
+                path.pop();
+                continue;
+            }
+            let to = step.start + step.len;
+            let points = self.scratch.points.half(lanes, step, step.done == 1, to);
+            step.done += 1;
+            if points == 0 {
+                continue;
+            }
+            let bounds = self.scratch.points.bounds(lanes, to, points);
+            let behind = step.first_triangle + step.triangles;
+            let (triangles, cover) =
+                self.scratch.lists.take(lanes, None, step.first_triangle, step.triangles, &bounds, behind);
+            if triangles == 0 {
+                continue;
+            }
+            if cover.is_some_and(|i| self.is_covered(level, &bounds, i)) {
+                for id in &self.scratch.points.ids[to..to + points] {
+                    self.out[*id as usize] = true;
+                }
+            } else if points <= LEAF || triangles <= FEW || depth == DEPTH || bounds.0.area() == 0.0 {
+                self.leaf(level, (to, points), (behind, triangles));
+            } else {
+                path.push(Step::new((to, points), (behind, triangles), &bounds.0));
+            }
+        }
+        self.scratch.path = path;
+        members
+    }
+}
+
+impl<A: AnyHit> Task<'_, A> {
+    /// Whether a triangle of the lists blocks all points within the bounds for sure.
+    #[inline(always)]
+    fn is_covered<L: Level>(&self, level: L, (rect, far): &(Rect, f32), at: usize) -> bool {
+        let id = self.scratch.lists.ids[at];
+        let triangle = &self.query.casters.triangles[id as usize];
+        if !A::IS_OPAQUE && !triangle.is_opaque() {
+            return false;
+        }
+        let mut block = Block::EMPTY;
+        block.set(0, &Planes::new(self.view, triangle).0, id, false);
+        let (constant, factor) = self.view.depth_tolerance();
+        let spread = Spread::new(rect, rect.z, *far, constant + factor * far);
+        block.test_rect(level.eight(), &spread).sure & 1 == 1
+    }
+
+    /// Holds points against triangles.
+    #[inline(always)]
+    fn leaf<L: Level>(&mut self, level: L, points: (usize, usize), triangles: (usize, usize)) {
+        let Scratch { lists, points: all, tile, origins, blocks, .. } = &mut *self.scratch;
+        blocks.clear();
+        for ids in lists.ids[triangles.0..triangles.0 + triangles.1].chunks(BLOCK) {
+            let mut block = Block::EMPTY;
+            for (slot, &id) in ids.iter().enumerate() {
+                let triangle = &self.query.casters.triangles[id as usize];
+                block.set(slot, &Planes::new(self.view, triangle).0, id, !triangle.is_opaque());
+            }
+            blocks.push(block);
+        }
+        for ids in all.ids[points.0..points.0 + points.1].chunks(TILE) {
+            origins.clear();
+            origins.extend(ids.iter().map(|id| self.origins[*id as usize]));
+            tile.fill(level.points(), self.view, origins);
+            let (rect, _) = tile.bounds();
+            for (i, block) in blocks.iter().enumerate() {
+                if lists.meet(level.eight(), triangles.0 + i * BLOCK, &rect) {
+                    tile.hold(level, self.view, self.query, block);
+                    if tile.is_done() {
+                        break;
+                    }
+                }
+            }
+            let mut blocked = tile.blocked();
+            while blocked != 0 {
+                let i = blocked.trailing_zeros() as usize;
+                blocked &= blocked - 1;
+                self.out[ids[i] as usize] = true;
+            }
+        }
+    }
+}

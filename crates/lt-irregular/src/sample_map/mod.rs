@@ -1,0 +1,240 @@
+//! Alias-free shadow maps (Aila and Laine 2004): the samples sorted in light space, and every triangle held against those that it meets.
+//!
+//! Samples are cut at the median along x and y in turn until fewer than [`Options::leaf`] are together. A triangle walks down that tree
+//! past nodes that it does not touch, nodes nearer to the light than it is, and nodes that are wholly in shadow already (occlusion
+//! culling), and settles samples in the leaves. Nothing of it depends on a map's resolution, and building does not depend on triangles.
+//!
+//! For threads the tree is cut once more: below its first levels lie **parts**, each a tree of its own. Triangles are sorted into the
+//! parts that they meet, in their own order and a limited number at a time, and every part takes its own ones. So answers, products
+//! and counters are the same for any number of threads.
+
+mod part;
+mod sort;
+mod visit;
+
+pub use sort::PointOrder;
+
+use crate::casters::{Casters, Query};
+use crate::lanes::Level;
+use crate::level::{Chosen, Instructions, Work};
+use crate::split::Item;
+use crate::tree::items;
+use crate::view::{Bounds, View};
+use alloc::vec::Vec;
+use core::ops::AddAssign;
+use lt_bvh::{AnyHit, Ray, Transmit};
+use lt_math::glam::{Vec3, Vec4};
+use part::{Part, Tasks};
+use visit::{Block, Paint, Tint};
+
+/// Triangles that are sorted into parts at a time, which bounds memory where large triangles meet every part. The first rounds are
+/// short and double: what they bring into shadow is closed to all that come later.
+const FIRST_ROUND: usize = 1 << 10;
+const LAST_ROUND: usize = 1 << 16;
+
+/// How a [`SampleMap`] is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// A leaf holds fewer samples than this; at least 2. The paper has 64.
+    pub leaf: usize,
+    /// Parts that threads share out among themselves, a power of two: `2^part_levels`. With 0 the counters are those of the
+    /// paper's one tree.
+    pub part_levels: u32,
+    /// How samples are put in order.
+    pub order: PointOrder,
+    /// Which instructions are used.
+    pub instructions: Instructions,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options { leaf: 64, part_levels: 5, order: PointOrder::Median, instructions: Instructions::best() }
+    }
+}
+
+/// What rasterising took, independent of any machine.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Triangles that a view could see, over all views.
+    pub triangles: u64,
+    /// Nodes that a triangle was held against.
+    pub nodes_visited: u64,
+    /// Of these, passed by because all their samples were in shadow.
+    pub nodes_culled: u64,
+    /// Pairs of sample and triangle that were tested in leaves, samples in shadow left out.
+    pub samples_tested: u64,
+    /// Of these, left to the ray tracer's own test.
+    pub tests_exact: u64,
+}
+
+impl AddAssign for Counters {
+    fn add_assign(&mut self, other: Self) {
+        self.triangles += other.triangles;
+        self.nodes_visited += other.nodes_visited;
+        self.nodes_culled += other.nodes_culled;
+        self.samples_tested += other.samples_tested;
+        self.tests_exact += other.tests_exact;
+    }
+}
+
+/// Samples in the order of a tree per view of a light; see the [module](self).
+#[derive(Clone, Debug)]
+pub struct SampleMap {
+    light: Vec4,
+    views: Vec<ViewMap>,
+    /// Samples whose rays no view takes: they are put to every triangle.
+    strays: Vec<u32>,
+    options: Options,
+}
+
+/// The samples of one view.
+#[derive(Clone, Debug)]
+struct ViewMap {
+    view: View,
+    parts: Vec<Part>,
+}
+
+impl SampleMap {
+    /// Sorts the rays from `origins` to a homogeneous light (w = 0: a sun, `xyz` towards it; w = 1: a position). `domain` must hold all
+    /// triangles of `casters`, and should hold all origins: a ray from elsewhere is put to every triangle.
+    pub fn build(
+        light: Vec4,
+        domain: Bounds,
+        casters: Casters<'_>,
+        origins: &[Vec3],
+        options: Options,
+    ) -> Self {
+        let options =
+            Options { leaf: options.leaf.max(2), part_levels: options.part_levels.min(16), ..options };
+        let mut strays = Vec::new();
+        let views = View::of_light(light, domain, casters.root).map(|view| {
+            let points = sort::points(&view, light, origins, &mut strays);
+            ViewMap { view, parts: sort::parts(points, options) }
+        });
+        let views = views.collect();
+        SampleMap { light, views, strays, options }
+    }
+
+    /// Nodes of all trees.
+    pub fn node_count(&self) -> usize {
+        self.parts().map(Part::node_count).sum()
+    }
+
+    fn parts(&self) -> impl Iterator<Item = &Part> {
+        self.views.iter().flat_map(|v| &v.parts)
+    }
+
+    /// Checks that every leaf holds fewer samples than allowed, every node's bounds hold its samples, and no sample is there twice.
+    ///
+    /// # Errors
+    /// What was found first, in words.
+    pub fn validate(&self) -> Result<(), alloc::string::String> {
+        let mut seen = Vec::new();
+        for part in self.parts() {
+            part.validate(self.options.leaf)?;
+            seen.extend_from_slice(part.sources());
+        }
+        seen.extend_from_slice(&self.strays);
+        let len = seen.len();
+        seen.sort_unstable();
+        seen.dedup();
+        if seen.len() == len { Ok(()) } else { Err("a sample is in two places".into()) }
+    }
+
+    /// Whether each ray is blocked: the ray tracer's own answers. `out` and `origins` are as long as what it was built over, and
+    /// `casters` are the same.
+    pub fn occluded<A: AnyHit + Sync>(
+        &mut self,
+        casters: Casters<'_>,
+        origins: &[Vec3],
+        any_hit: A,
+        out: &mut [bool],
+    ) -> Counters {
+        let query = Query { casters, light: self.light, any_hit };
+        for &stray in &self.strays {
+            out[stray as usize] = query.is_blocked_by_any(origins[stray as usize]);
+        }
+        let counters = self.rasterise(casters, origins, Block(any_hit));
+        for part in self.parts() {
+            part.blocked().for_each(|sample| out[sample] = true);
+        }
+        counters
+    }
+
+    /// What all triangles on the way let through of each ray, linear RGB, multiplied in the order of the triangles: the same product as
+    /// [`lt_bvh::transmitted`] up to a rounding per factor.
+    pub fn transmitted<T: Transmit + Sync>(
+        &mut self,
+        casters: Casters<'_>,
+        origins: &[Vec3],
+        transmit: T,
+        out: &mut [Vec3],
+    ) -> Counters {
+        for &stray in &self.strays {
+            out[stray as usize] = Vec3::ONE;
+            let ray = Ray::to_light(origins[stray as usize], self.light);
+            for index in 0..casters.triangles.len() as u32 {
+                if let Some((u, v)) = casters.meet(&ray, index) {
+                    out[stray as usize] *= transmit.transmittance(index, u, v);
+                }
+            }
+        }
+        for part in self.views.iter_mut().flat_map(|v| &mut v.parts) {
+            part.whiten();
+        }
+        let counters = self.rasterise(casters, origins, Tint(transmit));
+        for part in self.parts() {
+            part.tints().for_each(|(sample, tint)| out[sample] = tint);
+        }
+        counters
+    }
+
+    /// Holds every triangle against the samples.
+    fn rasterise<P: Paint>(&mut self, casters: Casters<'_>, origins: &[Vec3], paint: P) -> Counters {
+        let chosen = Chosen::new(self.options.instructions).unwrap_or(Chosen::Portable);
+        let light = self.light;
+        let mut counters = Counters::default();
+        for ViewMap { view, parts } in &mut self.views {
+            parts.iter_mut().for_each(Part::open);
+            let items = items(view, casters);
+            counters.triangles += items.len() as u64;
+            let (mut rest, mut size) = (&items[..], FIRST_ROUND);
+            while !rest.is_empty() {
+                let (round, later) = rest.split_at(size.min(rest.len()));
+                (rest, size) = (later, (2 * size).min(LAST_ROUND));
+                let tasks = Tasks::sort(parts, round, &mut counters);
+                let scene = Scene { view, casters, light, origins, paint };
+                counters += tasks.run(parts, |part, items| chosen.run(Walk { scene, part, items }));
+            }
+        }
+        counters
+    }
+}
+
+/// What a triangle is held against samples with.
+#[derive(Clone, Copy)]
+pub(crate) struct Scene<'a, P> {
+    pub view: &'a View,
+    pub casters: Casters<'a>,
+    pub light: Vec4,
+    pub origins: &'a [Vec3],
+    pub paint: P,
+}
+
+struct Walk<'a, P> {
+    scene: Scene<'a, P>,
+    part: &'a mut Part,
+    items: &'a [Item],
+}
+
+impl<P: Paint> Work for Walk<'_, P> {
+    type Output = Counters;
+    #[inline(always)]
+    fn run<L: Level>(self, level: L) -> Counters {
+        let mut counters = Counters::default();
+        for item in self.items {
+            self.part.draw(level.points(), &self.scene, item, &mut counters);
+        }
+        counters
+    }
+}

@@ -1,0 +1,337 @@
+//! Up to 64 neighbouring points through a tree together, under one rectangle: few steps where casters are larger than tiles.
+
+use crate::block::{ASKS, Block, NOBODY, Spread};
+use crate::casters::{Plane, Query};
+use crate::lanes::{Lanes, Level};
+use crate::rect::Rect;
+use crate::tree::{LEAF, Tree};
+use crate::view::{View, permute};
+use crate::walk::walk_one;
+use lt_bvh::AnyHit;
+use lt_math::glam::Vec3;
+
+/// Points to a tile.
+pub(crate) const TILE: usize = 64;
+/// Links that a walk may have waiting: seven at each level.
+const STACK: usize = 256;
+/// Up to this many points go down one by one.
+const FEW: u32 = 3;
+
+/// A link that waits for its points, and the rectangle that they lie in, with their least nearness.
+#[derive(Clone, Copy)]
+struct Waiting {
+    link: u32,
+    points: u64,
+    rect: Rect,
+}
+
+/// Points side by side, with their origins in permuted axes.
+#[repr(C, align(64))]
+pub(crate) struct Tile {
+    x: [f32; TILE],
+    y: [f32; TILE],
+    z: [f32; TILE],
+    origins: [[f32; TILE]; 3],
+    /// Those that are in the view.
+    members: u64,
+    /// Those of them that are not blocked yet.
+    alive: u64,
+    /// The rectangle that holds them all, and the least and largest nearness.
+    rect: Rect,
+    far: f32,
+    stack: [Waiting; STACK],
+}
+
+impl Default for Tile {
+    fn default() -> Self {
+        Tile {
+            x: [0.0; TILE],
+            y: [0.0; TILE],
+            z: [0.0; TILE],
+            origins: [[0.0; TILE]; 3],
+            members: 0,
+            alive: 0,
+            rect: Rect::EMPTY,
+            far: 0.0,
+            stack: [Waiting { link: 0, points: 0, rect: Rect::EMPTY }; STACK],
+        }
+    }
+}
+
+impl Tile {
+    /// Takes the points of up to 64 rays that the view takes.
+    #[inline(always)]
+    pub fn fill<P: Lanes>(&mut self, lanes: P, view: &View, origins: &[Vec3]) {
+        let tile = self;
+        let [x, y, z] = view.axes();
+        let origins = &origins[..origins.len().min(TILE)];
+        for (i, o) in origins.iter().enumerate() {
+            (tile.origins[0][i], tile.origins[1][i], tile.origins[2][i]) = (o[x], o[y], o[z]);
+        }
+        // What is not given starts nowhere, which no view takes.
+        tile.origins[0][origins.len()..].fill(f32::NAN);
+        tile.members = 0;
+        let (infinite, minus) = (lanes.splat(f32::INFINITY), lanes.splat(f32::NEG_INFINITY));
+        let (mut low, mut high) = ([infinite; 3], [minus; 3]);
+        for at in (0..TILE).step_by(P::WIDTH) {
+            let o = &tile.origins;
+            let (point, taken) = view
+                .points(lanes, [lanes.load(&o[0][at..]), lanes.load(&o[1][at..]), lanes.load(&o[2][at..])]);
+            tile.members |= u64::from(taken) << at;
+            for axis in 0..3 {
+                low[axis] = lanes.min(lanes.pick(taken, point[axis], infinite), low[axis]);
+                high[axis] = lanes.max(lanes.pick(taken, point[axis], minus), high[axis]);
+            }
+            lanes.store(point[0], &mut tile.x[at..]);
+            lanes.store(point[1], &mut tile.y[at..]);
+            lanes.store(point[2], &mut tile.z[at..]);
+        }
+        tile.rect = Rect {
+            x0: least(lanes, low[0]),
+            x1: most(lanes, high[0]),
+            y0: least(lanes, low[1]),
+            y1: most(lanes, high[1]),
+            z: least(lanes, low[2]),
+        };
+        tile.far = most(lanes, high[2]);
+        tile.alive = tile.members;
+    }
+
+    /// The rectangle of the points with their least nearness, and the largest.
+    pub fn bounds(&self) -> (Rect, f32) {
+        (self.rect, self.far)
+    }
+
+    /// Whether all points are blocked.
+    pub fn is_done(&self) -> bool {
+        self.alive == 0
+    }
+
+    /// Holds all points against a block.
+    #[inline(always)]
+    pub fn hold<L: Level, A: AnyHit>(&mut self, level: L, view: &View, query: &Query<'_, A>, block: &Block) {
+        let rect = self.rect;
+        self.leaf(level, view, query, block, self.alive, &rect);
+    }
+
+    /// The points that are in the view, a bit each.
+    pub fn members(&self) -> u64 {
+        self.members
+    }
+
+    /// The points that are blocked, a bit each.
+    pub fn blocked(&self) -> u64 {
+        self.members & !self.alive
+    }
+
+    /// Walks the tree until all points are blocked or nothing is left.
+    #[inline(always)]
+    pub fn walk<L: Level, A: AnyHit>(&mut self, level: L, tree: &Tree, query: &Query<'_, A>) {
+        if tree.nodes.is_empty() || self.alive == 0 {
+            return;
+        }
+        self.stack[0] = Waiting { link: 0, points: self.alive, rect: self.rect };
+        let mut top = 1;
+        while top > 0 {
+            top -= 1;
+            let Waiting { link, points, rect } = self.stack[top & (STACK - 1)];
+            let points = points & self.alive;
+            if points == 0 {
+                continue;
+            }
+            if link & LEAF != 0 {
+                self.leaf(level, &tree.view, query, tree.block(link), points, &rect);
+            } else if points.count_ones() <= FEW || top + 8 > STACK {
+                self.singly(level, tree, query, link, points);
+            } else {
+                let node = &tree.nodes[link as usize];
+                let mut hits = node.hits(level.eight(), &rect);
+                while hits != 0 {
+                    // The first child is to be taken from the stack first.
+                    let slot = 31 - hits.leading_zeros();
+                    hits &= !(1 << slot);
+                    let slot = slot as usize & 7;
+                    let child = node.rect(slot);
+                    let points =
+                        if child.covers(&rect) { points } else { self.inside(level, &child, points) };
+                    if points != 0 {
+                        let link = node.links[slot];
+                        tree.prefetch(level, link);
+                        self.stack[top & (STACK - 1)] = Waiting { link, points, rect: child.common(&rect) };
+                        top += 1;
+                    }
+                }
+            }
+            if self.alive == 0 {
+                return;
+            }
+        }
+    }
+
+    /// Those of the points that lie within a child's rectangle.
+    #[inline(always)]
+    fn inside<L: Level>(&self, level: L, rect: &Rect, points: u64) -> u64 {
+        let lanes = level.points();
+        let (x0, x1) = (lanes.splat(rect.x0), lanes.splat(rect.x1));
+        let (y0, y1) = (lanes.splat(rect.y0), lanes.splat(rect.y1));
+        let far = lanes.splat(rect.z);
+        let mut found = 0;
+        for at in (0..TILE).step_by(L::Points::WIDTH) {
+            let (x, y, z) = (lanes.load(&self.x[at..]), lanes.load(&self.y[at..]), lanes.load(&self.z[at..]));
+            let mask =
+                lanes.le(x0, x) & lanes.le(x, x1) & lanes.le(y0, y) & lanes.le(y, y1) & lanes.le(z, far);
+            found |= u64::from(mask) << at;
+        }
+        found & points
+    }
+
+    /// A few points, one after the other.
+    #[inline(always)]
+    fn singly<L: Level, A: AnyHit>(
+        &mut self,
+        level: L,
+        tree: &Tree,
+        query: &Query<'_, A>,
+        link: u32,
+        points: u64,
+    ) {
+        let mut rest = points;
+        while rest != 0 {
+            let i = rest.trailing_zeros() as usize & (TILE - 1);
+            rest &= rest - 1;
+            let point = [self.x[i], self.y[i], self.z[i]];
+            if walk_one(level.eight(), tree, query, link, self.origin(&tree.view, i), point) {
+                self.alive &= !(1 << i);
+            }
+        }
+    }
+
+    /// A point's origin as it was given.
+    #[inline(always)]
+    fn origin(&self, view: &View, i: usize) -> Vec3 {
+        let o = Vec3::new(self.origins[0][i], self.origins[1][i], self.origins[2][i]);
+        // Permuting by axis 0 undoes axis 1 and the other way round.
+        permute(o, if view.axis == 2 { 2 } else { 1 - view.axis })
+    }
+
+    /// Holds points against a block.
+    #[inline(always)]
+    fn leaf<L: Level, A: AnyHit>(
+        &mut self,
+        level: L,
+        view: &View,
+        query: &Query<'_, A>,
+        block: &Block,
+        points: u64,
+        rect: &Rect,
+    ) {
+        let (constant, factor) = view.depth_tolerance();
+        let spread = Spread::new(rect, rect.z, self.far, constant + factor * self.far);
+        let answer = block.test_rect(level.eight(), &spread);
+        if answer.possible == 0 {
+            return;
+        }
+        let mut sure = answer.sure;
+        while sure != 0 {
+            let slot = sure.trailing_zeros() as usize & 7;
+            sure &= sure - 1;
+            if A::IS_OPAQUE || block.ids[slot] & ASKS == 0 {
+                self.alive &= !points;
+                return;
+            }
+        }
+        let mut possible = answer.possible;
+        let mut ahead = possible;
+        while ahead != 0 {
+            let slot = ahead.trailing_zeros() as usize & 7;
+            ahead &= ahead - 1;
+            query.casters.prefetch(level, block.ids[slot]);
+        }
+        while possible != 0 {
+            let slot = possible.trailing_zeros() as usize & 7;
+            possible &= possible - 1;
+            if block.ids[slot] != NOBODY {
+                self.triangle(level.points(), view, query, block, slot, points);
+            }
+        }
+    }
+
+    /// Holds points against a triangle.
+    #[inline(always)]
+    fn triangle<P: Lanes, A: AnyHit>(
+        &mut self,
+        lanes: P,
+        view: &View,
+        query: &Query<'_, A>,
+        block: &Block,
+        slot: usize,
+        points: u64,
+    ) {
+        let (constant, factor) = view.depth_tolerance();
+        let (constant, factor) = (lanes.splat(constant), lanes.splat(factor));
+        let planes = block.spread_out(lanes, slot);
+        let id = block.ids[slot];
+        let asks = !A::IS_OPAQUE && id & ASKS != 0;
+        let mut blocked = 0u64;
+        let mut unsure = 0u64;
+        let points = points & self.alive;
+        for at in (0..TILE).step_by(P::WIDTH) {
+            let (x, y, z) = (lanes.load(&self.x[at..]), lanes.load(&self.y[at..]), lanes.load(&self.z[at..]));
+            let answer = planes.test(lanes, x, y, z, lanes.mul_add(factor, z, constant));
+            blocked |= u64::from(answer.sure) << at;
+            unsure |= u64::from(answer.possible) << at;
+        }
+        blocked = if asks { 0 } else { blocked & points };
+        unsure &= points & !blocked;
+        if unsure != 0 {
+            blocked |= self.ask(lanes, view, query, id & !ASKS, unsure);
+        }
+        self.alive &= !blocked;
+    }
+
+    /// Of points that planes cannot decide on, those that the ray tracer finds blocked.
+    #[inline(always)]
+    fn ask<P: Lanes, A: AnyHit>(
+        &self,
+        lanes: P,
+        view: &View,
+        query: &Query<'_, A>,
+        triangle: u32,
+        unsure: u64,
+    ) -> u64 {
+        let plane = Plane::new(view, &query.casters.triangles[triangle as usize]);
+        let mut meets = 0u64;
+        for at in (0..TILE).step_by(P::WIDTH) {
+            if (unsure >> at) & ((1 << P::WIDTH) - 1) != 0 {
+                let o = &self.origins;
+                let origin = [lanes.load(&o[0][at..]), lanes.load(&o[1][at..]), lanes.load(&o[2][at..])];
+                let point = [lanes.load(&self.x[at..]), lanes.load(&self.y[at..]), lanes.load(&self.z[at..])];
+                meets |= u64::from(plane.meets(lanes, origin, point)) << at;
+            }
+        }
+        let mut rest = unsure & meets;
+        let mut blocked = 0;
+        while rest != 0 {
+            let i = rest.trailing_zeros();
+            rest &= rest - 1;
+            blocked |= u64::from(query.is_blocked(self.origin(view, i as usize), triangle)) << i;
+        }
+        blocked
+    }
+}
+
+/// The least lane.
+#[inline(always)]
+pub(crate) fn least<P: Lanes>(lanes: P, from: P::F) -> f32 {
+    let mut all = [f32::INFINITY; 16];
+    lanes.store(from, &mut all);
+    all.into_iter().fold(f32::INFINITY, |a, b| if b < a { b } else { a })
+}
+
+/// The largest lane.
+#[inline(always)]
+pub(crate) fn most<P: Lanes>(lanes: P, from: P::F) -> f32 {
+    let mut all = [f32::NEG_INFINITY; 16];
+    lanes.store(from, &mut all);
+    all.into_iter().fold(f32::NEG_INFINITY, |a, b| if b > a { b } else { a })
+}

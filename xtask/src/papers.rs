@@ -1,0 +1,69 @@
+//! `cargo xtask papers`: the tables of the works that this project unites, ours beside theirs.
+
+use std::ffi::OsString;
+
+use anyhow::Result;
+
+use crate::{documents, workspace};
+
+/// Whose tables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Paper {
+    /// Aila and Laine 2004: Table 1, close-ups, the hair ball
+    AliasFree,
+}
+
+impl Paper {
+    /// The bench of lt-render that measures it.
+    fn bench(self) -> &'static str {
+        match self {
+            Paper::AliasFree => "alias_free",
+        }
+    }
+
+    /// Name of its page under docs/results, without ending; also of what the bench writes.
+    fn page(self) -> &'static str {
+        match self {
+            Paper::AliasFree => "alias-free",
+        }
+    }
+}
+
+/// Options of the command; those that it does not know itself go to the measuring program.
+#[derive(clap::Args)]
+pub struct Args {
+    /// Which paper
+    paper: Paper,
+    /// Also put tables and plot into docs/results, which should hold a full run on a quiet machine
+    #[arg(long)]
+    docs: bool,
+    /// Options of the measuring program (see `-- --help`)
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "OPTIONS")]
+    rest: Vec<OsString>,
+}
+
+/// The generated part of a page lies between these lines.
+const MARKS: [&str; 2] = ["<!-- cargo xtask papers: begin -->", "<!-- cargo xtask papers: end -->"];
+
+/// Runs the command.
+///
+/// # Errors
+/// The measuring program cannot be built, fails, or finds wrong answers; or a result cannot be written.
+pub fn run(args: &Args) -> Result<()> {
+    let out = workspace::root().join("lt-out/papers");
+    let mut command = workspace::cargo();
+    command.args(["bench", "--package", "lt-render", "--no-default-features", "--bench", args.paper.bench()]);
+    command.arg("--").arg("--out").arg(&out).args(&args.rest);
+    workspace::run(&mut command)?;
+    let results = workspace::root().join("docs/results");
+    let name = args.paper.page();
+    let (text, plot) = (format!("{name}.md"), format!("{name}.svg"));
+    if args.docs {
+        documents::renew(&results.join(&text), &out.join(&text), MARKS)?;
+        documents::copy(&out.join(&plot), &results.join(&plot))?;
+        println!("renewed: {}, {plot}", results.join(&text).display());
+    } else {
+        println!("written: {}, {plot}", out.join(&text).display());
+    }
+    Ok(())
+}
