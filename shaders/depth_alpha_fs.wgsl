@@ -70,9 +70,9 @@ struct texture_Axis {
 struct abi_DepthParams {
     projection: lt_math_LightProjection,
     map_size: u32,
+    near: f32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_36 {
@@ -449,14 +449,14 @@ fn function_() {
     var local: texture_TextureView;
     var phi_509_: vec3<f32>;
     var phi_510_: vec3<f32>;
-    var phi_559_: vec3<f32>;
-    var phi_560_: vec3<f32>;
-    var phi_609_: vec3<f32>;
-    var phi_610_: vec3<f32>;
-    var phi_673_: vec3<f32>;
-    var phi_857_: f32;
-    var phi_861_: bool;
-    var phi_862_: bool;
+    var phi_572_: vec3<f32>;
+    var phi_573_: vec3<f32>;
+    var phi_635_: vec3<f32>;
+    var phi_636_: vec3<f32>;
+    var phi_718_: vec3<f32>;
+    var phi_902_: f32;
+    var phi_906_: bool;
+    var phi_907_: bool;
 
     let _e40 = at_1;
     let _e41 = triangle_1;
@@ -483,131 +483,137 @@ fn function_() {
     let _e76 = f32(_e71);
     let _e78 = p.member.projection.row_x;
     let _e92 = p.member.projection.row_y;
+    let _e108 = p.member.projection.row_w;
+    let _e119 = ((((_e108.x * _e69.x) + (_e108.y * _e69.y)) + (_e108.z * _e69.z)) + (_e108.w * 1f));
     if (1u == 0u) {
-        phi_560_ = _e58.v0_;
+        phi_573_ = _e58.v0_;
     } else {
         if (1u == 1u) {
-            phi_559_ = _e58.v1_;
+            phi_572_ = _e58.v1_;
         } else {
-            phi_559_ = _e58.v2_;
+            phi_572_ = _e58.v2_;
         }
-        let _e113 = phi_559_;
-        phi_560_ = _e113;
+        let _e126 = phi_572_;
+        phi_573_ = _e126;
     }
-    let _e115 = phi_560_;
-    let _e117 = p.member.map_size;
-    let _e122 = f32(_e117);
-    let _e124 = p.member.projection.row_x;
-    let _e138 = p.member.projection.row_y;
+    let _e128 = phi_573_;
+    let _e130 = p.member.map_size;
+    let _e135 = f32(_e130);
+    let _e137 = p.member.projection.row_x;
+    let _e151 = p.member.projection.row_y;
+    let _e167 = p.member.projection.row_w;
+    let _e178 = ((((_e167.x * _e128.x) + (_e167.y * _e128.y)) + (_e167.z * _e128.z)) + (_e167.w * 1f));
     if (2u == 0u) {
-        phi_610_ = _e58.v0_;
+        phi_636_ = _e58.v0_;
     } else {
         if (2u == 1u) {
-            phi_609_ = _e58.v1_;
+            phi_635_ = _e58.v1_;
         } else {
-            phi_609_ = _e58.v2_;
+            phi_635_ = _e58.v2_;
         }
-        let _e159 = phi_609_;
-        phi_610_ = _e159;
+        let _e185 = phi_635_;
+        phi_636_ = _e185;
     }
-    let _e161 = phi_610_;
-    let _e163 = p.member.map_size;
-    let _e168 = f32(_e163);
-    let _e170 = p.member.projection.row_x;
-    let _e184 = p.member.projection.row_y;
-    let _e199 = ((((((_e78.x * _e69.x) + (_e78.y * _e69.y)) + (_e78.z * _e69.z)) + (_e78.w * 1f)) * _e76) - _e40.x);
-    let _e200 = ((((((_e92.x * _e69.x) + (_e92.y * _e69.y)) + (_e92.z * _e69.z)) + (_e92.w * 1f)) * _e76) - _e40.y);
-    let _e201 = ((((((_e124.x * _e115.x) + (_e124.y * _e115.y)) + (_e124.z * _e115.z)) + (_e124.w * 1f)) * _e122) - _e40.x);
-    let _e202 = ((((((_e138.x * _e115.x) + (_e138.y * _e115.y)) + (_e138.z * _e115.z)) + (_e138.w * 1f)) * _e122) - _e40.y);
-    let _e203 = ((((((_e170.x * _e161.x) + (_e170.y * _e161.y)) + (_e170.z * _e161.z)) + (_e170.w * 1f)) * _e168) - _e40.x);
-    let _e204 = ((((((_e184.x * _e161.x) + (_e184.y * _e161.y)) + (_e184.z * _e161.z)) + (_e184.w * 1f)) * _e168) - _e40.y);
-    let _e207 = ((_e203 * _e202) - (_e204 * _e201));
-    let _e210 = ((_e199 * _e204) - (_e200 * _e203));
-    let _e213 = ((_e201 * _e200) - (_e202 * _e199));
-    let _e215 = ((_e207 + _e210) + _e213);
-    if (_e215 == 0f) {
-        phi_673_ = vec3<f32>(1f, 0f, 0f);
+    let _e187 = phi_636_;
+    let _e189 = p.member.map_size;
+    let _e194 = f32(_e189);
+    let _e196 = p.member.projection.row_x;
+    let _e210 = p.member.projection.row_y;
+    let _e226 = p.member.projection.row_w;
+    let _e237 = ((((_e226.x * _e187.x) + (_e226.y * _e187.y)) + (_e226.z * _e187.z)) + (_e226.w * 1f));
+    let _e240 = ((((((_e78.x * _e69.x) + (_e78.y * _e69.y)) + (_e78.z * _e69.z)) + (_e78.w * 1f)) * _e76) - (_e40.x * _e119));
+    let _e241 = ((((((_e92.x * _e69.x) + (_e92.y * _e69.y)) + (_e92.z * _e69.z)) + (_e92.w * 1f)) * _e76) - (_e40.y * _e119));
+    let _e244 = ((((((_e137.x * _e128.x) + (_e137.y * _e128.y)) + (_e137.z * _e128.z)) + (_e137.w * 1f)) * _e135) - (_e40.x * _e178));
+    let _e245 = ((((((_e151.x * _e128.x) + (_e151.y * _e128.y)) + (_e151.z * _e128.z)) + (_e151.w * 1f)) * _e135) - (_e40.y * _e178));
+    let _e248 = ((((((_e196.x * _e187.x) + (_e196.y * _e187.y)) + (_e196.z * _e187.z)) + (_e196.w * 1f)) * _e194) - (_e40.x * _e237));
+    let _e249 = ((((((_e210.x * _e187.x) + (_e210.y * _e187.y)) + (_e210.z * _e187.z)) + (_e210.w * 1f)) * _e194) - (_e40.y * _e237));
+    let _e252 = ((_e248 * _e245) - (_e249 * _e244));
+    let _e255 = ((_e240 * _e249) - (_e241 * _e248));
+    let _e258 = ((_e244 * _e241) - (_e245 * _e240));
+    let _e260 = ((_e252 + _e255) + _e258);
+    if (_e260 == 0f) {
+        phi_718_ = vec3<f32>(1f, 0f, 0f);
     } else {
-        phi_673_ = vec3<f32>((_e207 / _e215), (_e210 / _e215), (_e213 / _e215));
+        phi_718_ = vec3<f32>((_e252 / _e260), (_e255 / _e260), (_e258 / _e260));
     }
-    let _e222 = phi_673_;
-    let _e224 = (_e58.i0_ & 2147483647u);
-    if (_e224 < _e48) {
+    let _e267 = phi_718_;
+    let _e269 = (_e58.i0_ & 2147483647u);
+    if (_e269 < _e48) {
     } else {
         return;
     }
-    let _e230 = vertices.member[(0u + _e224)];
+    let _e275 = vertices.member[(0u + _e269)];
     if (_e58.i1_ < _e48) {
     } else {
         return;
     }
-    let _e234 = vertices.member[(0u + _e58.i1_)];
+    let _e279 = vertices.member[(0u + _e58.i1_)];
     if (_e58.i2_ < _e48) {
     } else {
         return;
     }
-    let _e238 = vertices.member[(0u + _e58.i2_)];
-    let _e239 = array<abi_Vertex, 3>(_e230, _e234, _e238);
-    if (_e239[0].material < arrayLength((&materials.member))) {
+    let _e283 = vertices.member[(0u + _e58.i2_)];
+    let _e284 = array<abi_Vertex, 3>(_e275, _e279, _e283);
+    if (_e284[0].material < arrayLength((&materials.member))) {
     } else {
         return;
     }
-    let _e246 = materials.member[(0u + _e239[0].material)].flags;
-    if ((_e246 & 1u) == 0u) {
-        phi_862_ = false;
+    let _e291 = materials.member[(0u + _e284[0].material)].flags;
+    if ((_e291 & 1u) == 0u) {
+        phi_907_ = false;
     } else {
-        let _e250 = materials.member[(0u + _e239[0].material)].cutoff;
-        if (_e250 <= 0f) {
-            phi_861_ = true;
+        let _e295 = materials.member[(0u + _e284[0].material)].cutoff;
+        if (_e295 <= 0f) {
+            phi_906_ = true;
         } else {
-            let _e254 = materials.member[(0u + _e239[0].material)].base_color[3u];
-            let _e280 = (_e254 * ((((f32((_e239[0].color >> bitcast<u32>(24i))) * _e222.x) + (f32((_e239[1].color >> bitcast<u32>(24i))) * _e222.y)) + (f32((_e239[2].color >> bitcast<u32>(24i))) * _e222.z)) * (1f / 255f)));
-            let _e282 = materials.member[(0u + _e239[0].material)].alpha_size;
-            if (_e282 == 0u) {
-                phi_857_ = _e280;
+            let _e299 = materials.member[(0u + _e284[0].material)].base_color[3u];
+            let _e325 = (_e299 * ((((f32((_e284[0].color >> bitcast<u32>(24i))) * _e267.x) + (f32((_e284[1].color >> bitcast<u32>(24i))) * _e267.y)) + (f32((_e284[2].color >> bitcast<u32>(24i))) * _e267.z)) * (1f / 255f)));
+            let _e327 = materials.member[(0u + _e284[0].material)].alpha_size;
+            if (_e327 == 0u) {
+                phi_902_ = _e325;
             } else {
-                let _e285 = materials.member[(0u + _e239[0].material)].alpha_offset;
-                let _e287 = materials.member[(0u + _e239[0].material)].alpha_size;
-                let _e289 = materials.member[(0u + _e239[0].material)].flags;
-                local.offset = _e285;
-                local.size = _e287;
-                local.flags = _e289;
-                let _e318 = _lt_shaders_texture_TextureView_quad((&local), (((_e239[0].u * _e222.x) + (_e239[1].u * _e222.y)) + (_e239[2].u * _e222.z)), (((_e239[0].v * _e222.x) + (_e239[1].v * _e222.y)) + (_e239[2].v * _e222.z)));
-                let _e322 = (_e318.indices[0] >> bitcast<u32>(2i));
-                if (_e322 < _e54) {
+                let _e330 = materials.member[(0u + _e284[0].material)].alpha_offset;
+                let _e332 = materials.member[(0u + _e284[0].material)].alpha_size;
+                let _e334 = materials.member[(0u + _e284[0].material)].flags;
+                local.offset = _e330;
+                local.size = _e332;
+                local.flags = _e334;
+                let _e363 = _lt_shaders_texture_TextureView_quad((&local), (((_e284[0].u * _e267.x) + (_e284[1].u * _e267.y)) + (_e284[2].u * _e267.z)), (((_e284[0].v * _e267.x) + (_e284[1].v * _e267.y)) + (_e284[2].v * _e267.z)));
+                let _e367 = (_e363.indices[0] >> bitcast<u32>(2i));
+                if (_e367 < _e54) {
                 } else {
                     return;
                 }
-                let _e326 = alpha_texels.member[(0u + _e322)];
-                let _e342 = (_e318.indices[1] >> bitcast<u32>(2i));
-                if (_e342 < _e54) {
+                let _e371 = alpha_texels.member[(0u + _e367)];
+                let _e387 = (_e363.indices[1] >> bitcast<u32>(2i));
+                if (_e387 < _e54) {
                 } else {
                     return;
                 }
-                let _e346 = alpha_texels.member[(0u + _e342)];
-                let _e363 = (_e318.indices[2] >> bitcast<u32>(2i));
-                if (_e363 < _e54) {
+                let _e391 = alpha_texels.member[(0u + _e387)];
+                let _e408 = (_e363.indices[2] >> bitcast<u32>(2i));
+                if (_e408 < _e54) {
                 } else {
                     return;
                 }
-                let _e367 = alpha_texels.member[(0u + _e363)];
-                let _e384 = (_e318.indices[3] >> bitcast<u32>(2i));
-                if (_e384 < _e54) {
+                let _e412 = alpha_texels.member[(0u + _e408)];
+                let _e429 = (_e363.indices[3] >> bitcast<u32>(2i));
+                if (_e429 < _e54) {
                 } else {
                     return;
                 }
-                let _e388 = alpha_texels.member[(0u + _e384)];
-                phi_857_ = (_e280 * (((((f32(((_e326 >> bitcast<u32>((((_e318.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.x) + ((f32(((_e346 >> bitcast<u32>((((_e318.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.y)) + ((f32(((_e367 >> bitcast<u32>((((_e318.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.z)) + ((f32(((_e388 >> bitcast<u32>((((_e318.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.w)));
+                let _e433 = alpha_texels.member[(0u + _e429)];
+                phi_902_ = (_e325 * (((((f32(((_e371 >> bitcast<u32>((((_e363.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.x) + ((f32(((_e391 >> bitcast<u32>((((_e363.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.y)) + ((f32(((_e412 >> bitcast<u32>((((_e363.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.z)) + ((f32(((_e433 >> bitcast<u32>((((_e363.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.w)));
             }
-            let _e404 = phi_857_;
-            let _e406 = materials.member[(0u + _e239[0].material)].cutoff;
-            phi_861_ = (_e404 >= _e406);
+            let _e449 = phi_902_;
+            let _e451 = materials.member[(0u + _e284[0].material)].cutoff;
+            phi_906_ = (_e449 >= _e451);
         }
-        let _e409 = phi_861_;
-        phi_862_ = _e409;
+        let _e454 = phi_906_;
+        phi_907_ = _e454;
     }
-    let _e411 = phi_862_;
-    if _e411 {
+    let _e456 = phi_907_;
+    if _e456 {
     } else {
         spirv_std_arch_kill();
     }

@@ -70,9 +70,9 @@ struct texture_Axis {
 struct abi_DepthParams {
     projection: lt_math_LightProjection,
     map_size: u32,
+    near: f32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_36 {
@@ -467,14 +467,14 @@ fn function_() {
     var local: texture_TextureView;
     var phi_531_: vec3<f32>;
     var phi_532_: vec3<f32>;
-    var phi_617_: vec3<f32>;
-    var phi_618_: vec3<f32>;
-    var phi_703_: vec3<f32>;
-    var phi_704_: vec3<f32>;
-    var phi_803_: vec3<f32>;
-    var phi_987_: f32;
-    var phi_991_: bool;
-    var phi_992_: bool;
+    var phi_630_: vec3<f32>;
+    var phi_631_: vec3<f32>;
+    var phi_729_: vec3<f32>;
+    var phi_730_: vec3<f32>;
+    var phi_848_: vec3<f32>;
+    var phi_1032_: f32;
+    var phi_1036_: bool;
+    var phi_1037_: bool;
 
     let _e42 = at_1;
     let _e43 = triangle_1;
@@ -510,137 +510,143 @@ fn function_() {
     let _e125 = f32(_e123);
     let _e127 = p.member.projection.row_x;
     let _e141 = p.member.projection.row_y;
+    let _e157 = p.member.projection.row_w;
+    let _e168 = ((((_e157.x * _e95) + (_e157.y * _e108)) + (_e157.z * _e121)) + (_e157.w * 1f));
     if (1u == 0u) {
-        phi_618_ = _e64.v0_;
+        phi_631_ = _e64.v0_;
     } else {
         if (1u == 1u) {
-            phi_617_ = _e64.v1_;
+            phi_630_ = _e64.v1_;
         } else {
-            phi_617_ = _e64.v2_;
+            phi_630_ = _e64.v2_;
         }
-        let _e162 = phi_617_;
-        phi_618_ = _e162;
+        let _e175 = phi_630_;
+        phi_631_ = _e175;
     }
-    let _e164 = phi_618_;
-    let _e180 = ((((_e68.object_to_world[0].x * _e164.x) + (_e68.object_to_world[0].y * _e164.y)) + (_e68.object_to_world[0].z * _e164.z)) + (_e68.object_to_world[0].w * 1f));
-    let _e193 = ((((_e68.object_to_world[1].x * _e164.x) + (_e68.object_to_world[1].y * _e164.y)) + (_e68.object_to_world[1].z * _e164.z)) + (_e68.object_to_world[1].w * 1f));
-    let _e206 = ((((_e68.object_to_world[2].x * _e164.x) + (_e68.object_to_world[2].y * _e164.y)) + (_e68.object_to_world[2].z * _e164.z)) + (_e68.object_to_world[2].w * 1f));
-    let _e208 = p.member.map_size;
-    let _e210 = f32(_e208);
-    let _e212 = p.member.projection.row_x;
-    let _e226 = p.member.projection.row_y;
+    let _e177 = phi_631_;
+    let _e193 = ((((_e68.object_to_world[0].x * _e177.x) + (_e68.object_to_world[0].y * _e177.y)) + (_e68.object_to_world[0].z * _e177.z)) + (_e68.object_to_world[0].w * 1f));
+    let _e206 = ((((_e68.object_to_world[1].x * _e177.x) + (_e68.object_to_world[1].y * _e177.y)) + (_e68.object_to_world[1].z * _e177.z)) + (_e68.object_to_world[1].w * 1f));
+    let _e219 = ((((_e68.object_to_world[2].x * _e177.x) + (_e68.object_to_world[2].y * _e177.y)) + (_e68.object_to_world[2].z * _e177.z)) + (_e68.object_to_world[2].w * 1f));
+    let _e221 = p.member.map_size;
+    let _e223 = f32(_e221);
+    let _e225 = p.member.projection.row_x;
+    let _e239 = p.member.projection.row_y;
+    let _e255 = p.member.projection.row_w;
+    let _e266 = ((((_e255.x * _e193) + (_e255.y * _e206)) + (_e255.z * _e219)) + (_e255.w * 1f));
     if (2u == 0u) {
-        phi_704_ = _e64.v0_;
+        phi_730_ = _e64.v0_;
     } else {
         if (2u == 1u) {
-            phi_703_ = _e64.v1_;
+            phi_729_ = _e64.v1_;
         } else {
-            phi_703_ = _e64.v2_;
+            phi_729_ = _e64.v2_;
         }
-        let _e247 = phi_703_;
-        phi_704_ = _e247;
+        let _e273 = phi_729_;
+        phi_730_ = _e273;
     }
-    let _e249 = phi_704_;
-    let _e265 = ((((_e68.object_to_world[0].x * _e249.x) + (_e68.object_to_world[0].y * _e249.y)) + (_e68.object_to_world[0].z * _e249.z)) + (_e68.object_to_world[0].w * 1f));
-    let _e278 = ((((_e68.object_to_world[1].x * _e249.x) + (_e68.object_to_world[1].y * _e249.y)) + (_e68.object_to_world[1].z * _e249.z)) + (_e68.object_to_world[1].w * 1f));
-    let _e291 = ((((_e68.object_to_world[2].x * _e249.x) + (_e68.object_to_world[2].y * _e249.y)) + (_e68.object_to_world[2].z * _e249.z)) + (_e68.object_to_world[2].w * 1f));
-    let _e293 = p.member.map_size;
-    let _e295 = f32(_e293);
-    let _e297 = p.member.projection.row_x;
-    let _e311 = p.member.projection.row_y;
-    let _e326 = ((((((_e127.x * _e95) + (_e127.y * _e108)) + (_e127.z * _e121)) + (_e127.w * 1f)) * _e125) - _e42.x);
-    let _e327 = ((((((_e141.x * _e95) + (_e141.y * _e108)) + (_e141.z * _e121)) + (_e141.w * 1f)) * _e125) - _e42.y);
-    let _e328 = ((((((_e212.x * _e180) + (_e212.y * _e193)) + (_e212.z * _e206)) + (_e212.w * 1f)) * _e210) - _e42.x);
-    let _e329 = ((((((_e226.x * _e180) + (_e226.y * _e193)) + (_e226.z * _e206)) + (_e226.w * 1f)) * _e210) - _e42.y);
-    let _e330 = ((((((_e297.x * _e265) + (_e297.y * _e278)) + (_e297.z * _e291)) + (_e297.w * 1f)) * _e295) - _e42.x);
-    let _e331 = ((((((_e311.x * _e265) + (_e311.y * _e278)) + (_e311.z * _e291)) + (_e311.w * 1f)) * _e295) - _e42.y);
-    let _e334 = ((_e330 * _e329) - (_e331 * _e328));
-    let _e337 = ((_e326 * _e331) - (_e327 * _e330));
-    let _e340 = ((_e328 * _e327) - (_e329 * _e326));
-    let _e342 = ((_e334 + _e337) + _e340);
-    if (_e342 == 0f) {
-        phi_803_ = vec3<f32>(1f, 0f, 0f);
+    let _e275 = phi_730_;
+    let _e291 = ((((_e68.object_to_world[0].x * _e275.x) + (_e68.object_to_world[0].y * _e275.y)) + (_e68.object_to_world[0].z * _e275.z)) + (_e68.object_to_world[0].w * 1f));
+    let _e304 = ((((_e68.object_to_world[1].x * _e275.x) + (_e68.object_to_world[1].y * _e275.y)) + (_e68.object_to_world[1].z * _e275.z)) + (_e68.object_to_world[1].w * 1f));
+    let _e317 = ((((_e68.object_to_world[2].x * _e275.x) + (_e68.object_to_world[2].y * _e275.y)) + (_e68.object_to_world[2].z * _e275.z)) + (_e68.object_to_world[2].w * 1f));
+    let _e319 = p.member.map_size;
+    let _e321 = f32(_e319);
+    let _e323 = p.member.projection.row_x;
+    let _e337 = p.member.projection.row_y;
+    let _e353 = p.member.projection.row_w;
+    let _e364 = ((((_e353.x * _e291) + (_e353.y * _e304)) + (_e353.z * _e317)) + (_e353.w * 1f));
+    let _e367 = ((((((_e127.x * _e95) + (_e127.y * _e108)) + (_e127.z * _e121)) + (_e127.w * 1f)) * _e125) - (_e42.x * _e168));
+    let _e368 = ((((((_e141.x * _e95) + (_e141.y * _e108)) + (_e141.z * _e121)) + (_e141.w * 1f)) * _e125) - (_e42.y * _e168));
+    let _e371 = ((((((_e225.x * _e193) + (_e225.y * _e206)) + (_e225.z * _e219)) + (_e225.w * 1f)) * _e223) - (_e42.x * _e266));
+    let _e372 = ((((((_e239.x * _e193) + (_e239.y * _e206)) + (_e239.z * _e219)) + (_e239.w * 1f)) * _e223) - (_e42.y * _e266));
+    let _e375 = ((((((_e323.x * _e291) + (_e323.y * _e304)) + (_e323.z * _e317)) + (_e323.w * 1f)) * _e321) - (_e42.x * _e364));
+    let _e376 = ((((((_e337.x * _e291) + (_e337.y * _e304)) + (_e337.z * _e317)) + (_e337.w * 1f)) * _e321) - (_e42.y * _e364));
+    let _e379 = ((_e375 * _e372) - (_e376 * _e371));
+    let _e382 = ((_e367 * _e376) - (_e368 * _e375));
+    let _e385 = ((_e371 * _e368) - (_e372 * _e367));
+    let _e387 = ((_e379 + _e382) + _e385);
+    if (_e387 == 0f) {
+        phi_848_ = vec3<f32>(1f, 0f, 0f);
     } else {
-        phi_803_ = vec3<f32>((_e334 / _e342), (_e337 / _e342), (_e340 / _e342));
+        phi_848_ = vec3<f32>((_e379 / _e387), (_e382 / _e387), (_e385 / _e387));
     }
-    let _e349 = phi_803_;
-    let _e351 = (_e64.i0_ & 2147483647u);
-    if (_e351 < _e54) {
+    let _e394 = phi_848_;
+    let _e396 = (_e64.i0_ & 2147483647u);
+    if (_e396 < _e54) {
     } else {
         return;
     }
-    let _e357 = vertices.member[(0u + _e351)];
+    let _e402 = vertices.member[(0u + _e396)];
     if (_e64.i1_ < _e54) {
     } else {
         return;
     }
-    let _e361 = vertices.member[(0u + _e64.i1_)];
+    let _e406 = vertices.member[(0u + _e64.i1_)];
     if (_e64.i2_ < _e54) {
     } else {
         return;
     }
-    let _e365 = vertices.member[(0u + _e64.i2_)];
-    let _e366 = array<abi_Vertex, 3>(_e357, _e361, _e365);
-    if (_e366[0].material < arrayLength((&materials.member))) {
+    let _e410 = vertices.member[(0u + _e64.i2_)];
+    let _e411 = array<abi_Vertex, 3>(_e402, _e406, _e410);
+    if (_e411[0].material < arrayLength((&materials.member))) {
     } else {
         return;
     }
-    let _e373 = materials.member[(0u + _e366[0].material)].flags;
-    if ((_e373 & 1u) == 0u) {
-        phi_992_ = false;
+    let _e418 = materials.member[(0u + _e411[0].material)].flags;
+    if ((_e418 & 1u) == 0u) {
+        phi_1037_ = false;
     } else {
-        let _e377 = materials.member[(0u + _e366[0].material)].cutoff;
-        if (_e377 <= 0f) {
-            phi_991_ = true;
+        let _e422 = materials.member[(0u + _e411[0].material)].cutoff;
+        if (_e422 <= 0f) {
+            phi_1036_ = true;
         } else {
-            let _e381 = materials.member[(0u + _e366[0].material)].base_color[3u];
-            let _e407 = (_e381 * ((((f32((_e366[0].color >> bitcast<u32>(24i))) * _e349.x) + (f32((_e366[1].color >> bitcast<u32>(24i))) * _e349.y)) + (f32((_e366[2].color >> bitcast<u32>(24i))) * _e349.z)) * (1f / 255f)));
-            let _e409 = materials.member[(0u + _e366[0].material)].alpha_size;
-            if (_e409 == 0u) {
-                phi_987_ = _e407;
+            let _e426 = materials.member[(0u + _e411[0].material)].base_color[3u];
+            let _e452 = (_e426 * ((((f32((_e411[0].color >> bitcast<u32>(24i))) * _e394.x) + (f32((_e411[1].color >> bitcast<u32>(24i))) * _e394.y)) + (f32((_e411[2].color >> bitcast<u32>(24i))) * _e394.z)) * (1f / 255f)));
+            let _e454 = materials.member[(0u + _e411[0].material)].alpha_size;
+            if (_e454 == 0u) {
+                phi_1032_ = _e452;
             } else {
-                let _e412 = materials.member[(0u + _e366[0].material)].alpha_offset;
-                let _e414 = materials.member[(0u + _e366[0].material)].alpha_size;
-                let _e416 = materials.member[(0u + _e366[0].material)].flags;
-                local.offset = _e412;
-                local.size = _e414;
-                local.flags = _e416;
-                let _e445 = _lt_shaders_texture_TextureView_quad((&local), (((_e366[0].u * _e349.x) + (_e366[1].u * _e349.y)) + (_e366[2].u * _e349.z)), (((_e366[0].v * _e349.x) + (_e366[1].v * _e349.y)) + (_e366[2].v * _e349.z)));
-                let _e449 = (_e445.indices[0] >> bitcast<u32>(2i));
-                if (_e449 < _e60) {
+                let _e457 = materials.member[(0u + _e411[0].material)].alpha_offset;
+                let _e459 = materials.member[(0u + _e411[0].material)].alpha_size;
+                let _e461 = materials.member[(0u + _e411[0].material)].flags;
+                local.offset = _e457;
+                local.size = _e459;
+                local.flags = _e461;
+                let _e490 = _lt_shaders_texture_TextureView_quad((&local), (((_e411[0].u * _e394.x) + (_e411[1].u * _e394.y)) + (_e411[2].u * _e394.z)), (((_e411[0].v * _e394.x) + (_e411[1].v * _e394.y)) + (_e411[2].v * _e394.z)));
+                let _e494 = (_e490.indices[0] >> bitcast<u32>(2i));
+                if (_e494 < _e60) {
                 } else {
                     return;
                 }
-                let _e453 = alpha_texels.member[(0u + _e449)];
-                let _e469 = (_e445.indices[1] >> bitcast<u32>(2i));
-                if (_e469 < _e60) {
+                let _e498 = alpha_texels.member[(0u + _e494)];
+                let _e514 = (_e490.indices[1] >> bitcast<u32>(2i));
+                if (_e514 < _e60) {
                 } else {
                     return;
                 }
-                let _e473 = alpha_texels.member[(0u + _e469)];
-                let _e490 = (_e445.indices[2] >> bitcast<u32>(2i));
-                if (_e490 < _e60) {
+                let _e518 = alpha_texels.member[(0u + _e514)];
+                let _e535 = (_e490.indices[2] >> bitcast<u32>(2i));
+                if (_e535 < _e60) {
                 } else {
                     return;
                 }
-                let _e494 = alpha_texels.member[(0u + _e490)];
-                let _e511 = (_e445.indices[3] >> bitcast<u32>(2i));
-                if (_e511 < _e60) {
+                let _e539 = alpha_texels.member[(0u + _e535)];
+                let _e556 = (_e490.indices[3] >> bitcast<u32>(2i));
+                if (_e556 < _e60) {
                 } else {
                     return;
                 }
-                let _e515 = alpha_texels.member[(0u + _e511)];
-                phi_987_ = (_e407 * (((((f32(((_e453 >> bitcast<u32>((((_e445.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e445.weights.x) + ((f32(((_e473 >> bitcast<u32>((((_e445.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e445.weights.y)) + ((f32(((_e494 >> bitcast<u32>((((_e445.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e445.weights.z)) + ((f32(((_e515 >> bitcast<u32>((((_e445.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e445.weights.w)));
+                let _e560 = alpha_texels.member[(0u + _e556)];
+                phi_1032_ = (_e452 * (((((f32(((_e498 >> bitcast<u32>((((_e490.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.x) + ((f32(((_e518 >> bitcast<u32>((((_e490.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.y)) + ((f32(((_e539 >> bitcast<u32>((((_e490.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.z)) + ((f32(((_e560 >> bitcast<u32>((((_e490.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e490.weights.w)));
             }
-            let _e531 = phi_987_;
-            let _e533 = materials.member[(0u + _e366[0].material)].cutoff;
-            phi_991_ = (_e531 >= _e533);
+            let _e576 = phi_1032_;
+            let _e578 = materials.member[(0u + _e411[0].material)].cutoff;
+            phi_1036_ = (_e576 >= _e578);
         }
-        let _e536 = phi_991_;
-        phi_992_ = _e536;
+        let _e581 = phi_1036_;
+        phi_1037_ = _e581;
     }
-    let _e538 = phi_992_;
-    if _e538 {
+    let _e583 = phi_1037_;
+    if _e583 {
     } else {
         spirv_std_arch_kill();
     }

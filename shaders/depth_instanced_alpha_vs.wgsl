@@ -14,19 +14,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_11 {
+struct type_12 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct abi_DepthParams {
     projection: lt_math_LightProjection,
     map_size: u32,
+    near: f32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
-struct type_15 {
+struct type_16 {
     member: abi_DepthParams,
 }
 
@@ -52,9 +52,9 @@ struct VertexOutput {
 }
 
 @group(0) @binding(0) 
-var<uniform> p: type_15;
+var<uniform> p: type_16;
 @group(0) @binding(1) 
-var<storage> triangles: type_11;
+var<storage> triangles: type_12;
 var<private> vertex_1: u32;
 var<private> triangle: u32;
 var<private> position: vec4<f32> = vec4<f32>(0f, 0f, 0f, 1f);
@@ -64,50 +64,59 @@ var<storage> instances: type_22;
 var<private> placed: u32;
 
 fn function_() {
-    var phi_94_: vec3<f32>;
     var phi_95_: vec3<f32>;
+    var phi_96_: vec3<f32>;
+    var phi_201_: f32;
 
-    let _e15 = vertex_1;
-    let _e16 = instance_1;
-    triangle = (_e15 / 3u);
-    placed = _e16;
-    let _e25 = (_e15 / 3u);
-    if (_e25 < arrayLength((&triangles.member))) {
+    let _e16 = vertex_1;
+    let _e17 = instance_1;
+    triangle = (_e16 / 3u);
+    placed = _e17;
+    let _e26 = (_e16 / 3u);
+    if (_e26 < arrayLength((&triangles.member))) {
     } else {
         return;
     }
-    let _e29 = (_e15 % 3u);
-    if (_e16 < arrayLength((&instances.member))) {
+    let _e30 = (_e16 % 3u);
+    if (_e17 < arrayLength((&instances.member))) {
     } else {
         return;
     }
-    if (_e29 == 0u) {
-        let _e35 = triangles.member[(0u + _e25)].v0_;
-        phi_95_ = _e35;
+    if (_e30 == 0u) {
+        let _e36 = triangles.member[(0u + _e26)].v0_;
+        phi_96_ = _e36;
     } else {
-        if (_e29 == 1u) {
-            let _e38 = triangles.member[(0u + _e25)].v1_;
-            phi_94_ = _e38;
+        if (_e30 == 1u) {
+            let _e39 = triangles.member[(0u + _e26)].v1_;
+            phi_95_ = _e39;
         } else {
-            let _e40 = triangles.member[(0u + _e25)].v2_;
-            phi_94_ = _e40;
+            let _e41 = triangles.member[(0u + _e26)].v2_;
+            phi_95_ = _e41;
         }
-        let _e42 = phi_94_;
-        phi_95_ = _e42;
+        let _e43 = phi_95_;
+        phi_96_ = _e43;
     }
-    let _e44 = phi_95_;
-    let _e50 = instances.member[(0u + _e16)].object_to_world[0u];
-    let _e61 = ((((_e50.x * _e44.x) + (_e50.y * _e44.y)) + (_e50.z * _e44.z)) + (_e50.w * 1f));
-    let _e63 = instances.member[(0u + _e16)].object_to_world[1u];
-    let _e74 = ((((_e63.x * _e44.x) + (_e63.y * _e44.y)) + (_e63.z * _e44.z)) + (_e63.w * 1f));
-    let _e76 = instances.member[(0u + _e16)].object_to_world[2u];
-    let _e87 = ((((_e76.x * _e44.x) + (_e76.y * _e44.y)) + (_e76.z * _e44.z)) + (_e76.w * 1f));
-    let _e90 = p.member.projection.row_w;
-    let _e101 = ((((_e90.x * _e61) + (_e90.y * _e74)) + (_e90.z * _e87)) + (_e90.w * 1f));
-    let _e103 = p.member.projection.row_x;
-    let _e116 = p.member.projection.row_y;
-    let _e133 = p.member.projection.row_z;
-    position = vec4<f32>(((2f * ((((_e103.x * _e61) + (_e103.y * _e74)) + (_e103.z * _e87)) + (_e103.w * 1f))) - _e101), (_e101 - (2f * ((((_e116.x * _e61) + (_e116.y * _e74)) + (_e116.z * _e87)) + (_e116.w * 1f)))), (((((_e133.x * _e61) + (_e133.y * _e74)) + (_e133.z * _e87)) + (_e133.w * 1f)) * _e101), _e101);
+    let _e45 = phi_96_;
+    let _e51 = instances.member[(0u + _e17)].object_to_world[0u];
+    let _e62 = ((((_e51.x * _e45.x) + (_e51.y * _e45.y)) + (_e51.z * _e45.z)) + (_e51.w * 1f));
+    let _e64 = instances.member[(0u + _e17)].object_to_world[1u];
+    let _e75 = ((((_e64.x * _e45.x) + (_e64.y * _e45.y)) + (_e64.z * _e45.z)) + (_e64.w * 1f));
+    let _e77 = instances.member[(0u + _e17)].object_to_world[2u];
+    let _e88 = ((((_e77.x * _e45.x) + (_e77.y * _e45.y)) + (_e77.z * _e45.z)) + (_e77.w * 1f));
+    let _e91 = p.member.projection.row_w;
+    let _e102 = ((((_e91.x * _e62) + (_e91.y * _e75)) + (_e91.z * _e88)) + (_e91.w * 1f));
+    let _e105 = p.member.projection.row_x;
+    let _e119 = p.member.projection.row_y;
+    let _e132 = p.member.near;
+    if (_e132 > 0f) {
+        let _e135 = p.member.near;
+        phi_201_ = _e135;
+    } else {
+        let _e138 = p.member.projection.row_z;
+        phi_201_ = (((((_e138.x * _e62) + (_e138.y * _e75)) + (_e138.z * _e88)) + (_e138.w * 1f)) * _e102);
+    }
+    let _e152 = phi_201_;
+    position = vec4<f32>(((2f * ((((_e105.x * _e62) + (_e105.y * _e75)) + (_e105.z * _e88)) + (_e105.w * 1f))) - _e102), (_e102 - (2f * ((((_e119.x * _e62) + (_e119.y * _e75)) + (_e119.z * _e88)) + (_e119.w * 1f)))), _e152, _e102);
     return;
 }
 

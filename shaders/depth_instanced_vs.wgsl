@@ -14,19 +14,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_11 {
+struct type_12 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct abi_DepthParams {
     projection: lt_math_LightProjection,
     map_size: u32,
+    near: f32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
-struct type_15 {
+struct type_16 {
     member: abi_DepthParams,
 }
 
@@ -46,9 +46,9 @@ struct type_22 {
 }
 
 @group(0) @binding(0) 
-var<uniform> p: type_15;
+var<uniform> p: type_16;
 @group(0) @binding(1) 
-var<storage> triangles: type_11;
+var<storage> triangles: type_12;
 var<private> vertex_1: u32;
 var<private> position: vec4<f32> = vec4<f32>(0f, 0f, 0f, 1f);
 var<private> instance_1: u32;
@@ -56,48 +56,57 @@ var<private> instance_1: u32;
 var<storage> instances: type_22;
 
 fn function_() {
-    var phi_90_: vec3<f32>;
     var phi_91_: vec3<f32>;
+    var phi_92_: vec3<f32>;
+    var phi_197_: f32;
 
-    let _e13 = vertex_1;
-    let _e14 = instance_1;
-    let _e22 = (_e13 / 3u);
-    if (_e22 < arrayLength((&triangles.member))) {
+    let _e14 = vertex_1;
+    let _e15 = instance_1;
+    let _e23 = (_e14 / 3u);
+    if (_e23 < arrayLength((&triangles.member))) {
     } else {
         return;
     }
-    let _e26 = (_e13 % 3u);
-    if (_e14 < arrayLength((&instances.member))) {
+    let _e27 = (_e14 % 3u);
+    if (_e15 < arrayLength((&instances.member))) {
     } else {
         return;
     }
-    if (_e26 == 0u) {
-        let _e32 = triangles.member[(0u + _e22)].v0_;
-        phi_91_ = _e32;
+    if (_e27 == 0u) {
+        let _e33 = triangles.member[(0u + _e23)].v0_;
+        phi_92_ = _e33;
     } else {
-        if (_e26 == 1u) {
-            let _e35 = triangles.member[(0u + _e22)].v1_;
-            phi_90_ = _e35;
+        if (_e27 == 1u) {
+            let _e36 = triangles.member[(0u + _e23)].v1_;
+            phi_91_ = _e36;
         } else {
-            let _e37 = triangles.member[(0u + _e22)].v2_;
-            phi_90_ = _e37;
+            let _e38 = triangles.member[(0u + _e23)].v2_;
+            phi_91_ = _e38;
         }
-        let _e39 = phi_90_;
-        phi_91_ = _e39;
+        let _e40 = phi_91_;
+        phi_92_ = _e40;
     }
-    let _e41 = phi_91_;
-    let _e47 = instances.member[(0u + _e14)].object_to_world[0u];
-    let _e58 = ((((_e47.x * _e41.x) + (_e47.y * _e41.y)) + (_e47.z * _e41.z)) + (_e47.w * 1f));
-    let _e60 = instances.member[(0u + _e14)].object_to_world[1u];
-    let _e71 = ((((_e60.x * _e41.x) + (_e60.y * _e41.y)) + (_e60.z * _e41.z)) + (_e60.w * 1f));
-    let _e73 = instances.member[(0u + _e14)].object_to_world[2u];
-    let _e84 = ((((_e73.x * _e41.x) + (_e73.y * _e41.y)) + (_e73.z * _e41.z)) + (_e73.w * 1f));
-    let _e87 = p.member.projection.row_w;
-    let _e98 = ((((_e87.x * _e58) + (_e87.y * _e71)) + (_e87.z * _e84)) + (_e87.w * 1f));
-    let _e100 = p.member.projection.row_x;
-    let _e113 = p.member.projection.row_y;
-    let _e130 = p.member.projection.row_z;
-    position = vec4<f32>(((2f * ((((_e100.x * _e58) + (_e100.y * _e71)) + (_e100.z * _e84)) + (_e100.w * 1f))) - _e98), (_e98 - (2f * ((((_e113.x * _e58) + (_e113.y * _e71)) + (_e113.z * _e84)) + (_e113.w * 1f)))), (((((_e130.x * _e58) + (_e130.y * _e71)) + (_e130.z * _e84)) + (_e130.w * 1f)) * _e98), _e98);
+    let _e42 = phi_92_;
+    let _e48 = instances.member[(0u + _e15)].object_to_world[0u];
+    let _e59 = ((((_e48.x * _e42.x) + (_e48.y * _e42.y)) + (_e48.z * _e42.z)) + (_e48.w * 1f));
+    let _e61 = instances.member[(0u + _e15)].object_to_world[1u];
+    let _e72 = ((((_e61.x * _e42.x) + (_e61.y * _e42.y)) + (_e61.z * _e42.z)) + (_e61.w * 1f));
+    let _e74 = instances.member[(0u + _e15)].object_to_world[2u];
+    let _e85 = ((((_e74.x * _e42.x) + (_e74.y * _e42.y)) + (_e74.z * _e42.z)) + (_e74.w * 1f));
+    let _e88 = p.member.projection.row_w;
+    let _e99 = ((((_e88.x * _e59) + (_e88.y * _e72)) + (_e88.z * _e85)) + (_e88.w * 1f));
+    let _e102 = p.member.projection.row_x;
+    let _e116 = p.member.projection.row_y;
+    let _e129 = p.member.near;
+    if (_e129 > 0f) {
+        let _e132 = p.member.near;
+        phi_197_ = _e132;
+    } else {
+        let _e135 = p.member.projection.row_z;
+        phi_197_ = (((((_e135.x * _e59) + (_e135.y * _e72)) + (_e135.z * _e85)) + (_e135.w * 1f)) * _e99);
+    }
+    let _e149 = phi_197_;
+    position = vec4<f32>(((2f * ((((_e102.x * _e59) + (_e102.y * _e72)) + (_e102.z * _e85)) + (_e102.w * 1f))) - _e99), (_e99 - (2f * ((((_e116.x * _e59) + (_e116.y * _e72)) + (_e116.z * _e85)) + (_e116.w * 1f)))), _e149, _e99);
     return;
 }
 

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,18 +48,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_27 {
+struct type_30 {
     member: abi_ShadowParams,
 }
 
@@ -63,43 +72,43 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_27;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_138_: lt_bvh_traverse_Tree;
-    var phi_139_: bool;
-    var phi_140_: lt_bvh_traverse_Tree;
-    var phi_141_: bool;
-    var phi_146_: lt_bvh_traverse_Tree;
+    var phi_143_: lt_bvh_traverse_Tree;
+    var phi_144_: bool;
+    var phi_145_: lt_bvh_traverse_Tree;
+    var phi_146_: bool;
+    var phi_151_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_138_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_139_ = false;
+            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_144_ = false;
         } else {
-            phi_138_ = lt_bvh_traverse_Tree();
-            phi_139_ = true;
+            phi_143_ = lt_bvh_traverse_Tree();
+            phi_144_ = true;
         }
-        let _e59 = phi_138_;
-        let _e61 = phi_139_;
-        phi_140_ = _e59;
-        phi_141_ = _e61;
+        let _e59 = phi_143_;
+        let _e61 = phi_144_;
+        phi_145_ = _e59;
+        phi_146_ = _e61;
     } else {
-        phi_140_ = lt_bvh_traverse_Tree();
-        phi_141_ = true;
+        phi_145_ = lt_bvh_traverse_Tree();
+        phi_146_ = true;
     }
-    let _e63 = phi_140_;
-    let _e65 = phi_141_;
+    let _e63 = phi_145_;
+    let _e65 = phi_146_;
     if _e65 {
-        phi_146_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_146_ = _e63;
+        phi_151_ = _e63;
     }
-    let _e70 = phi_146_;
+    let _e70 = phi_151_;
     return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
@@ -108,453 +117,459 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_166_: bool;
-    var phi_170_: f32;
+    var phi_171_: bool;
+    var phi_175_: f32;
 
     let _e47 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_166_ = true;
+        phi_171_ = true;
     } else {
         let _e51 = (84f < _e47);
         if _e51 {
         }
-        phi_166_ = _e51;
+        phi_171_ = _e51;
     }
-    let _e53 = phi_166_;
+    let _e53 = phi_171_;
     if _e53 {
-        phi_170_ = 84f;
+        phi_175_ = 84f;
     } else {
-        phi_170_ = _e47;
+        phi_175_ = _e47;
     }
-    let _e55 = phi_170_;
+    let _e55 = phi_175_;
     return _e55;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_719_: f32;
-    var phi_720_: f32;
-    var phi_721_: f32;
-    var phi_737_: f32;
-    var phi_738_: f32;
-    var phi_739_: f32;
-    var phi_755_: f32;
-    var phi_756_: f32;
-    var phi_757_: f32;
+    var phi_771_: f32;
+    var phi_772_: f32;
     var phi_773_: f32;
-    var phi_774_: f32;
-    var phi_775_: f32;
+    var phi_789_: f32;
+    var phi_790_: f32;
     var phi_791_: f32;
-    var phi_792_: f32;
-    var phi_793_: f32;
-    var phi_812_: f32;
-    var phi_817_: f32;
-    var phi_839_: f32;
+    var phi_807_: f32;
+    var phi_808_: f32;
+    var phi_809_: f32;
+    var phi_825_: f32;
+    var phi_826_: f32;
+    var phi_827_: f32;
+    var phi_843_: f32;
     var phi_844_: f32;
-    var phi_845_: bool;
-    var phi_846_: f32;
-    var phi_847_: bool;
-    var phi_851_: f32;
-    var phi_889_: f32;
-    var phi_900_: f32;
-    var phi_905_: f32;
-    var phi_927_: f32;
-    var phi_932_: f32;
-    var phi_933_: bool;
-    var phi_934_: f32;
-    var phi_935_: bool;
-    var phi_939_: f32;
-    var phi_977_: f32;
-    var phi_988_: f32;
-    var phi_993_: f32;
-    var phi_1015_: f32;
-    var phi_1020_: f32;
-    var phi_1021_: bool;
-    var phi_1022_: f32;
-    var phi_1023_: bool;
-    var phi_1027_: f32;
-    var phi_1065_: f32;
-    var phi_1076_: f32;
-    var phi_1081_: f32;
-    var phi_1103_: f32;
-    var phi_1108_: f32;
-    var phi_1109_: bool;
-    var phi_1110_: f32;
-    var phi_1111_: bool;
-    var phi_1115_: f32;
-    var phi_1153_: f32;
-    var phi_1179_: f32;
-    var phi_1180_: f32;
-    var phi_1181_: f32;
+    var phi_845_: f32;
+    var phi_864_: f32;
+    var phi_869_: f32;
+    var phi_891_: f32;
+    var phi_896_: f32;
+    var phi_897_: bool;
+    var phi_898_: f32;
+    var phi_899_: bool;
+    var phi_903_: f32;
+    var phi_941_: f32;
+    var phi_952_: f32;
+    var phi_957_: f32;
+    var phi_979_: f32;
+    var phi_984_: f32;
+    var phi_985_: bool;
+    var phi_986_: f32;
+    var phi_987_: bool;
+    var phi_991_: f32;
+    var phi_1029_: f32;
+    var phi_1040_: f32;
+    var phi_1045_: f32;
+    var phi_1067_: f32;
+    var phi_1072_: f32;
+    var phi_1073_: bool;
+    var phi_1074_: f32;
+    var phi_1075_: bool;
+    var phi_1079_: f32;
+    var phi_1117_: f32;
+    var phi_1128_: f32;
+    var phi_1133_: f32;
+    var phi_1155_: f32;
+    var phi_1160_: f32;
+    var phi_1161_: bool;
+    var phi_1162_: f32;
+    var phi_1163_: bool;
+    var phi_1167_: f32;
+    var phi_1205_: f32;
+    var phi_1231_: f32;
+    var phi_1232_: f32;
+    var phi_1233_: f32;
 
     let _e50 = _lt_math_esm_Esm_clamped_exponent(param_5);
     if ((bitcast<u32>(param_8) & 2147483647u) > 2139095040u) {
-        phi_721_ = param_8;
+        phi_773_ = param_8;
     } else {
         if (param_8 < 0f) {
-            phi_720_ = 0f;
+            phi_772_ = 0f;
         } else {
             if (param_8 > 1f) {
-                phi_719_ = 1f;
+                phi_771_ = 1f;
             } else {
-                phi_719_ = param_8;
+                phi_771_ = param_8;
             }
-            let _e57 = phi_719_;
-            phi_720_ = _e57;
+            let _e57 = phi_771_;
+            phi_772_ = _e57;
         }
-        let _e59 = phi_720_;
-        phi_721_ = _e59;
+        let _e59 = phi_772_;
+        phi_773_ = _e59;
     }
-    let _e61 = phi_721_;
+    let _e61 = phi_773_;
     if ((bitcast<u32>(param_6.x) & 2147483647u) > 2139095040u) {
-        phi_739_ = param_6.x;
+        phi_791_ = param_6.x;
     } else {
         if (param_6.x < 0f) {
-            phi_738_ = 0f;
+            phi_790_ = 0f;
         } else {
             if (param_6.x > 1f) {
-                phi_737_ = 1f;
+                phi_789_ = 1f;
             } else {
-                phi_737_ = param_6.x;
+                phi_789_ = param_6.x;
             }
-            let _e69 = phi_737_;
-            phi_738_ = _e69;
+            let _e69 = phi_789_;
+            phi_790_ = _e69;
         }
-        let _e71 = phi_738_;
-        phi_739_ = _e71;
+        let _e71 = phi_790_;
+        phi_791_ = _e71;
     }
-    let _e73 = phi_739_;
+    let _e73 = phi_791_;
     if ((bitcast<u32>(param_6.y) & 2147483647u) > 2139095040u) {
-        phi_757_ = param_6.y;
+        phi_809_ = param_6.y;
     } else {
         if (param_6.y < 0f) {
-            phi_756_ = 0f;
+            phi_808_ = 0f;
         } else {
             if (param_6.y > 1f) {
-                phi_755_ = 1f;
+                phi_807_ = 1f;
             } else {
-                phi_755_ = param_6.y;
+                phi_807_ = param_6.y;
             }
-            let _e81 = phi_755_;
-            phi_756_ = _e81;
+            let _e81 = phi_807_;
+            phi_808_ = _e81;
         }
-        let _e83 = phi_756_;
-        phi_757_ = _e83;
+        let _e83 = phi_808_;
+        phi_809_ = _e83;
     }
-    let _e85 = phi_757_;
+    let _e85 = phi_809_;
     if ((bitcast<u32>(param_6.z) & 2147483647u) > 2139095040u) {
-        phi_775_ = param_6.z;
+        phi_827_ = param_6.z;
     } else {
         if (param_6.z < 0f) {
-            phi_774_ = 0f;
+            phi_826_ = 0f;
         } else {
             if (param_6.z > 1f) {
-                phi_773_ = 1f;
+                phi_825_ = 1f;
             } else {
-                phi_773_ = param_6.z;
+                phi_825_ = param_6.z;
             }
-            let _e93 = phi_773_;
-            phi_774_ = _e93;
+            let _e93 = phi_825_;
+            phi_826_ = _e93;
         }
-        let _e95 = phi_774_;
-        phi_775_ = _e95;
+        let _e95 = phi_826_;
+        phi_827_ = _e95;
     }
-    let _e97 = phi_775_;
+    let _e97 = phi_827_;
     if ((bitcast<u32>(param_6.w) & 2147483647u) > 2139095040u) {
-        phi_793_ = param_6.w;
+        phi_845_ = param_6.w;
     } else {
         if (param_6.w < 0f) {
-            phi_792_ = 0f;
+            phi_844_ = 0f;
         } else {
             if (param_6.w > 1f) {
-                phi_791_ = 1f;
+                phi_843_ = 1f;
             } else {
-                phi_791_ = param_6.w;
+                phi_843_ = param_6.w;
             }
-            let _e105 = phi_791_;
-            phi_792_ = _e105;
+            let _e105 = phi_843_;
+            phi_844_ = _e105;
         }
-        let _e107 = phi_792_;
-        phi_793_ = _e107;
+        let _e107 = phi_844_;
+        phi_845_ = _e107;
     }
-    let _e109 = phi_793_;
+    let _e109 = phi_845_;
     let _e114 = (_e50 * (_e73 - _e61));
     let _e115 = (_e50 * (_e85 - _e61));
     let _e116 = (_e50 * (_e97 - _e61));
     let _e117 = (_e50 * (_e109 - _e61));
     if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
-        phi_889_ = _e114;
+        phi_941_ = _e114;
     } else {
         if (_e114 < -87f) {
-            phi_812_ = -87f;
+            phi_864_ = -87f;
         } else {
-            phi_812_ = _e114;
+            phi_864_ = _e114;
         }
-        let _e123 = phi_812_;
+        let _e123 = phi_864_;
         if (_e123 > 88f) {
-            phi_817_ = 88f;
+            phi_869_ = 88f;
         } else {
-            phi_817_ = _e123;
+            phi_869_ = _e123;
         }
-        let _e126 = phi_817_;
+        let _e126 = phi_869_;
         let _e128 = ((_e126 * 1.442695f) + 0.5f);
         if (_e128 > -8388608f) {
             let _e140 = f32(select(0i, select(select(i32(_e128), i32(-2147483648), (_e128 < bitcast<f32>(3472883712u))), 2147483647i, (_e128 > bitcast<f32>(1325400063u))), (_e128 == _e128)));
             if (_e140 > _e128) {
-                phi_839_ = 1f;
+                phi_891_ = 1f;
             } else {
-                phi_839_ = 0f;
+                phi_891_ = 0f;
             }
-            let _e143 = phi_839_;
+            let _e143 = phi_891_;
             if (_e128 < 8388608f) {
-                phi_844_ = (_e140 - _e143);
-                phi_845_ = false;
+                phi_896_ = (_e140 - _e143);
+                phi_897_ = false;
             } else {
-                phi_844_ = f32();
-                phi_845_ = true;
+                phi_896_ = f32();
+                phi_897_ = true;
             }
-            let _e146 = phi_844_;
-            let _e148 = phi_845_;
-            phi_846_ = _e146;
-            phi_847_ = _e148;
+            let _e146 = phi_896_;
+            let _e148 = phi_897_;
+            phi_898_ = _e146;
+            phi_899_ = _e148;
         } else {
-            phi_846_ = f32();
-            phi_847_ = true;
+            phi_898_ = f32();
+            phi_899_ = true;
         }
-        let _e150 = phi_846_;
-        let _e152 = phi_847_;
+        let _e150 = phi_898_;
+        let _e152 = phi_899_;
         if _e152 {
-            phi_851_ = _e128;
+            phi_903_ = _e128;
         } else {
-            phi_851_ = _e150;
+            phi_903_ = _e150;
         }
-        let _e154 = phi_851_;
+        let _e154 = phi_903_;
         let _e158 = ((_e126 - (_e154 * 0.69314575f)) - (_e154 * 0.0000014286068f));
-        phi_889_ = ((((((((((((((((1f / 5040f) * _e158) + (1f / 720f)) * _e158) + (1f / 120f)) * _e158) + (1f / 24f)) * _e158) + (1f / 6f)) * _e158) + 0.5f) * _e158) + 1f) * _e158) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e154), i32(-2147483648), (_e154 < bitcast<f32>(3472883712u))), 2147483647i, (_e154 > bitcast<f32>(1325400063u))), (_e154 == _e154)) + 127i)) << bitcast<u32>(23i))));
+        phi_941_ = ((((((((((((((((1f / 5040f) * _e158) + (1f / 720f)) * _e158) + (1f / 120f)) * _e158) + (1f / 24f)) * _e158) + (1f / 6f)) * _e158) + 0.5f) * _e158) + 1f) * _e158) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e154), i32(-2147483648), (_e154 < bitcast<f32>(3472883712u))), 2147483647i, (_e154 > bitcast<f32>(1325400063u))), (_e154 == _e154)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e194 = phi_889_;
+    let _e194 = phi_941_;
     if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
-        phi_977_ = _e115;
+        phi_1029_ = _e115;
     } else {
         if (_e115 < -87f) {
-            phi_900_ = -87f;
+            phi_952_ = -87f;
         } else {
-            phi_900_ = _e115;
+            phi_952_ = _e115;
         }
-        let _e200 = phi_900_;
+        let _e200 = phi_952_;
         if (_e200 > 88f) {
-            phi_905_ = 88f;
+            phi_957_ = 88f;
         } else {
-            phi_905_ = _e200;
+            phi_957_ = _e200;
         }
-        let _e203 = phi_905_;
+        let _e203 = phi_957_;
         let _e205 = ((_e203 * 1.442695f) + 0.5f);
         if (_e205 > -8388608f) {
             let _e217 = f32(select(0i, select(select(i32(_e205), i32(-2147483648), (_e205 < bitcast<f32>(3472883712u))), 2147483647i, (_e205 > bitcast<f32>(1325400063u))), (_e205 == _e205)));
             if (_e217 > _e205) {
-                phi_927_ = 1f;
+                phi_979_ = 1f;
             } else {
-                phi_927_ = 0f;
+                phi_979_ = 0f;
             }
-            let _e220 = phi_927_;
+            let _e220 = phi_979_;
             if (_e205 < 8388608f) {
-                phi_932_ = (_e217 - _e220);
-                phi_933_ = false;
+                phi_984_ = (_e217 - _e220);
+                phi_985_ = false;
             } else {
-                phi_932_ = f32();
-                phi_933_ = true;
+                phi_984_ = f32();
+                phi_985_ = true;
             }
-            let _e223 = phi_932_;
-            let _e225 = phi_933_;
-            phi_934_ = _e223;
-            phi_935_ = _e225;
+            let _e223 = phi_984_;
+            let _e225 = phi_985_;
+            phi_986_ = _e223;
+            phi_987_ = _e225;
         } else {
-            phi_934_ = f32();
-            phi_935_ = true;
+            phi_986_ = f32();
+            phi_987_ = true;
         }
-        let _e227 = phi_934_;
-        let _e229 = phi_935_;
+        let _e227 = phi_986_;
+        let _e229 = phi_987_;
         if _e229 {
-            phi_939_ = _e205;
+            phi_991_ = _e205;
         } else {
-            phi_939_ = _e227;
+            phi_991_ = _e227;
         }
-        let _e231 = phi_939_;
+        let _e231 = phi_991_;
         let _e235 = ((_e203 - (_e231 * 0.69314575f)) - (_e231 * 0.0000014286068f));
-        phi_977_ = ((((((((((((((((1f / 5040f) * _e235) + (1f / 720f)) * _e235) + (1f / 120f)) * _e235) + (1f / 24f)) * _e235) + (1f / 6f)) * _e235) + 0.5f) * _e235) + 1f) * _e235) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e231), i32(-2147483648), (_e231 < bitcast<f32>(3472883712u))), 2147483647i, (_e231 > bitcast<f32>(1325400063u))), (_e231 == _e231)) + 127i)) << bitcast<u32>(23i))));
+        phi_1029_ = ((((((((((((((((1f / 5040f) * _e235) + (1f / 720f)) * _e235) + (1f / 120f)) * _e235) + (1f / 24f)) * _e235) + (1f / 6f)) * _e235) + 0.5f) * _e235) + 1f) * _e235) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e231), i32(-2147483648), (_e231 < bitcast<f32>(3472883712u))), 2147483647i, (_e231 > bitcast<f32>(1325400063u))), (_e231 == _e231)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e271 = phi_977_;
+    let _e271 = phi_1029_;
     if ((bitcast<u32>(_e116) & 2147483647u) > 2139095040u) {
-        phi_1065_ = _e116;
+        phi_1117_ = _e116;
     } else {
         if (_e116 < -87f) {
-            phi_988_ = -87f;
+            phi_1040_ = -87f;
         } else {
-            phi_988_ = _e116;
+            phi_1040_ = _e116;
         }
-        let _e277 = phi_988_;
+        let _e277 = phi_1040_;
         if (_e277 > 88f) {
-            phi_993_ = 88f;
+            phi_1045_ = 88f;
         } else {
-            phi_993_ = _e277;
+            phi_1045_ = _e277;
         }
-        let _e280 = phi_993_;
+        let _e280 = phi_1045_;
         let _e282 = ((_e280 * 1.442695f) + 0.5f);
         if (_e282 > -8388608f) {
             let _e294 = f32(select(0i, select(select(i32(_e282), i32(-2147483648), (_e282 < bitcast<f32>(3472883712u))), 2147483647i, (_e282 > bitcast<f32>(1325400063u))), (_e282 == _e282)));
             if (_e294 > _e282) {
-                phi_1015_ = 1f;
+                phi_1067_ = 1f;
             } else {
-                phi_1015_ = 0f;
+                phi_1067_ = 0f;
             }
-            let _e297 = phi_1015_;
+            let _e297 = phi_1067_;
             if (_e282 < 8388608f) {
-                phi_1020_ = (_e294 - _e297);
-                phi_1021_ = false;
+                phi_1072_ = (_e294 - _e297);
+                phi_1073_ = false;
             } else {
-                phi_1020_ = f32();
-                phi_1021_ = true;
+                phi_1072_ = f32();
+                phi_1073_ = true;
             }
-            let _e300 = phi_1020_;
-            let _e302 = phi_1021_;
-            phi_1022_ = _e300;
-            phi_1023_ = _e302;
+            let _e300 = phi_1072_;
+            let _e302 = phi_1073_;
+            phi_1074_ = _e300;
+            phi_1075_ = _e302;
         } else {
-            phi_1022_ = f32();
-            phi_1023_ = true;
+            phi_1074_ = f32();
+            phi_1075_ = true;
         }
-        let _e304 = phi_1022_;
-        let _e306 = phi_1023_;
+        let _e304 = phi_1074_;
+        let _e306 = phi_1075_;
         if _e306 {
-            phi_1027_ = _e282;
+            phi_1079_ = _e282;
         } else {
-            phi_1027_ = _e304;
+            phi_1079_ = _e304;
         }
-        let _e308 = phi_1027_;
+        let _e308 = phi_1079_;
         let _e312 = ((_e280 - (_e308 * 0.69314575f)) - (_e308 * 0.0000014286068f));
-        phi_1065_ = ((((((((((((((((1f / 5040f) * _e312) + (1f / 720f)) * _e312) + (1f / 120f)) * _e312) + (1f / 24f)) * _e312) + (1f / 6f)) * _e312) + 0.5f) * _e312) + 1f) * _e312) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e308), i32(-2147483648), (_e308 < bitcast<f32>(3472883712u))), 2147483647i, (_e308 > bitcast<f32>(1325400063u))), (_e308 == _e308)) + 127i)) << bitcast<u32>(23i))));
+        phi_1117_ = ((((((((((((((((1f / 5040f) * _e312) + (1f / 720f)) * _e312) + (1f / 120f)) * _e312) + (1f / 24f)) * _e312) + (1f / 6f)) * _e312) + 0.5f) * _e312) + 1f) * _e312) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e308), i32(-2147483648), (_e308 < bitcast<f32>(3472883712u))), 2147483647i, (_e308 > bitcast<f32>(1325400063u))), (_e308 == _e308)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e348 = phi_1065_;
+    let _e348 = phi_1117_;
     if ((bitcast<u32>(_e117) & 2147483647u) > 2139095040u) {
-        phi_1153_ = _e117;
+        phi_1205_ = _e117;
     } else {
         if (_e117 < -87f) {
-            phi_1076_ = -87f;
+            phi_1128_ = -87f;
         } else {
-            phi_1076_ = _e117;
+            phi_1128_ = _e117;
         }
-        let _e354 = phi_1076_;
+        let _e354 = phi_1128_;
         if (_e354 > 88f) {
-            phi_1081_ = 88f;
+            phi_1133_ = 88f;
         } else {
-            phi_1081_ = _e354;
+            phi_1133_ = _e354;
         }
-        let _e357 = phi_1081_;
+        let _e357 = phi_1133_;
         let _e359 = ((_e357 * 1.442695f) + 0.5f);
         if (_e359 > -8388608f) {
             let _e371 = f32(select(0i, select(select(i32(_e359), i32(-2147483648), (_e359 < bitcast<f32>(3472883712u))), 2147483647i, (_e359 > bitcast<f32>(1325400063u))), (_e359 == _e359)));
             if (_e371 > _e359) {
-                phi_1103_ = 1f;
+                phi_1155_ = 1f;
             } else {
-                phi_1103_ = 0f;
+                phi_1155_ = 0f;
             }
-            let _e374 = phi_1103_;
+            let _e374 = phi_1155_;
             if (_e359 < 8388608f) {
-                phi_1108_ = (_e371 - _e374);
-                phi_1109_ = false;
+                phi_1160_ = (_e371 - _e374);
+                phi_1161_ = false;
             } else {
-                phi_1108_ = f32();
-                phi_1109_ = true;
+                phi_1160_ = f32();
+                phi_1161_ = true;
             }
-            let _e377 = phi_1108_;
-            let _e379 = phi_1109_;
-            phi_1110_ = _e377;
-            phi_1111_ = _e379;
+            let _e377 = phi_1160_;
+            let _e379 = phi_1161_;
+            phi_1162_ = _e377;
+            phi_1163_ = _e379;
         } else {
-            phi_1110_ = f32();
-            phi_1111_ = true;
+            phi_1162_ = f32();
+            phi_1163_ = true;
         }
-        let _e381 = phi_1110_;
-        let _e383 = phi_1111_;
+        let _e381 = phi_1162_;
+        let _e383 = phi_1163_;
         if _e383 {
-            phi_1115_ = _e359;
+            phi_1167_ = _e359;
         } else {
-            phi_1115_ = _e381;
+            phi_1167_ = _e381;
         }
-        let _e385 = phi_1115_;
+        let _e385 = phi_1167_;
         let _e389 = ((_e357 - (_e385 * 0.69314575f)) - (_e385 * 0.0000014286068f));
-        phi_1153_ = ((((((((((((((((1f / 5040f) * _e389) + (1f / 720f)) * _e389) + (1f / 120f)) * _e389) + (1f / 24f)) * _e389) + (1f / 6f)) * _e389) + 0.5f) * _e389) + 1f) * _e389) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e385), i32(-2147483648), (_e385 < bitcast<f32>(3472883712u))), 2147483647i, (_e385 > bitcast<f32>(1325400063u))), (_e385 == _e385)) + 127i)) << bitcast<u32>(23i))));
+        phi_1205_ = ((((((((((((((((1f / 5040f) * _e389) + (1f / 720f)) * _e389) + (1f / 120f)) * _e389) + (1f / 24f)) * _e389) + (1f / 6f)) * _e389) + 0.5f) * _e389) + 1f) * _e389) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e385), i32(-2147483648), (_e385 < bitcast<f32>(3472883712u))), 2147483647i, (_e385 > bitcast<f32>(1325400063u))), (_e385 == _e385)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e425 = phi_1153_;
+    let _e425 = phi_1205_;
     let _e436 = ((((_e194 * param_7.x) + (_e271 * param_7.y)) + (_e348 * param_7.z)) + (_e425 * param_7.w));
     if ((bitcast<u32>(_e436) & 2147483647u) > 2139095040u) {
-        phi_1181_ = _e436;
+        phi_1233_ = _e436;
     } else {
         if (_e436 < 0f) {
-            phi_1180_ = 0f;
+            phi_1232_ = 0f;
         } else {
             if (_e436 > 1f) {
-                phi_1179_ = 1f;
+                phi_1231_ = 1f;
             } else {
-                phi_1179_ = _e436;
+                phi_1231_ = _e436;
             }
-            let _e443 = phi_1179_;
-            phi_1180_ = _e443;
+            let _e443 = phi_1231_;
+            phi_1232_ = _e443;
         }
-        let _e445 = phi_1180_;
-        phi_1181_ = _e445;
+        let _e445 = phi_1232_;
+        phi_1233_ = _e445;
     }
-    let _e447 = phi_1181_;
+    let _e447 = phi_1233_;
     return _e447;
 }
 
 fn function_() {
     var local: f32;
-    var phi_227_: bool;
-    var phi_228_: bool;
-    var phi_229_: bool;
-    var phi_230_: bool;
+    var phi_231_: bool;
+    var phi_232_: bool;
+    var phi_233_: bool;
     var phi_234_: bool;
-    var phi_278_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_282_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_356_: bool;
-    var phi_365_: bool;
-    var phi_374_: bool;
-    var phi_375_: bool;
-    var phi_376_: bool;
-    var phi_377_: bool;
-    var phi_378_: bool;
-    var phi_379_: bool;
-    var phi_380_: bool;
-    var phi_384_: bool;
-    var phi_474_: f32;
-    var phi_477_: f32;
-    var phi_506_: f32;
-    var phi_511_: f32;
-    var phi_512_: bool;
-    var phi_513_: f32;
-    var phi_514_: bool;
-    var phi_518_: f32;
-    var phi_538_: f32;
-    var phi_543_: f32;
-    var phi_544_: bool;
-    var phi_545_: f32;
-    var phi_546_: bool;
-    var phi_550_: f32;
-    var phi_598_: i32;
-    var phi_603_: i32;
-    var phi_608_: i32;
-    var phi_613_: i32;
-    var phi_622_: i32;
-    var phi_627_: i32;
-    var phi_632_: i32;
-    var phi_637_: i32;
-    var phi_682_: evaluate_Verdict;
-    var phi_683_: evaluate_Verdict;
-    var phi_684_: bool;
-    var phi_685_: evaluate_Verdict;
-    var phi_686_: evaluate_Verdict;
-    var phi_687_: bool;
-    var phi_691_: evaluate_Verdict;
+    var phi_238_: bool;
+    var phi_308_: bool;
+    var phi_309_: bool;
+    var phi_320_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_321_: bool;
+    var phi_322_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_323_: bool;
+    var phi_330_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_334_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_408_: bool;
+    var phi_417_: bool;
+    var phi_426_: bool;
+    var phi_427_: bool;
+    var phi_428_: bool;
+    var phi_429_: bool;
+    var phi_430_: bool;
+    var phi_431_: bool;
+    var phi_432_: bool;
+    var phi_436_: bool;
+    var phi_526_: f32;
+    var phi_529_: f32;
+    var phi_558_: f32;
+    var phi_563_: f32;
+    var phi_564_: bool;
+    var phi_565_: f32;
+    var phi_566_: bool;
+    var phi_570_: f32;
+    var phi_590_: f32;
+    var phi_595_: f32;
+    var phi_596_: bool;
+    var phi_597_: f32;
+    var phi_598_: bool;
+    var phi_602_: f32;
+    var phi_650_: i32;
+    var phi_655_: i32;
+    var phi_660_: i32;
+    var phi_665_: i32;
+    var phi_674_: i32;
+    var phi_679_: i32;
+    var phi_684_: i32;
+    var phi_689_: i32;
+    var phi_734_: evaluate_Verdict;
+    var phi_735_: evaluate_Verdict;
+    var phi_736_: bool;
+    var phi_737_: evaluate_Verdict;
+    var phi_738_: evaluate_Verdict;
+    var phi_739_: bool;
+    var phi_743_: evaluate_Verdict;
 
     let _e47 = id_1;
     let _e54 = arrayLength((&map.member));
@@ -568,319 +583,358 @@ fn function_() {
             return;
         }
         let _e73 = lt_math_OneLevel(_e69);
-        let _e75 = p.member.light;
-        let _e78 = samples.member[(0u + _e63.first_primitive)].normal[0u];
-        let _e80 = global[0u];
-        if (_e78 == _e80) {
-            let _e83 = samples.member[(0u + _e63.first_primitive)].normal[1u];
-            let _e85 = global[1u];
-            if (_e83 == _e85) {
-                let _e88 = samples.member[(0u + _e63.first_primitive)].normal[2u];
-                let _e90 = global[2u];
-                phi_227_ = (_e88 == _e90);
-                phi_228_ = false;
+        let _e77 = samples.member[(0u + _e63.first_primitive)].normal[0u];
+        let _e79 = global[0u];
+        if (_e77 == _e79) {
+            let _e82 = samples.member[(0u + _e63.first_primitive)].normal[1u];
+            let _e84 = global[1u];
+            if (_e82 == _e84) {
+                let _e87 = samples.member[(0u + _e63.first_primitive)].normal[2u];
+                let _e89 = global[2u];
+                phi_231_ = (_e87 == _e89);
+                phi_232_ = false;
             } else {
-                phi_227_ = bool();
-                phi_228_ = true;
+                phi_231_ = bool();
+                phi_232_ = true;
             }
-            let _e93 = phi_227_;
-            let _e95 = phi_228_;
-            phi_229_ = _e93;
-            phi_230_ = _e95;
+            let _e92 = phi_231_;
+            let _e94 = phi_232_;
+            phi_233_ = _e92;
+            phi_234_ = _e94;
         } else {
-            phi_229_ = bool();
-            phi_230_ = true;
+            phi_233_ = bool();
+            phi_234_ = true;
         }
-        let _e97 = phi_229_;
-        let _e99 = phi_230_;
-        if _e99 {
-            phi_234_ = false;
+        let _e96 = phi_233_;
+        let _e98 = phi_234_;
+        if _e98 {
+            phi_238_ = false;
         } else {
-            phi_234_ = _e97;
+            phi_238_ = _e96;
         }
-        let _e101 = phi_234_;
-        if !(_e101) {
-            let _e104 = samples.member[(0u + _e63.first_primitive)].normal;
-            let _e106 = samples.member[(0u + _e63.first_primitive)].position;
-            if ((((_e104.x * (_e75.x - (_e106.x * _e75.w))) + (_e104.y * (_e75.y - (_e106.y * _e75.w)))) + (_e104.z * (_e75.z - (_e106.z * _e75.w)))) > 0f) {
-                let _e130 = samples.member[(0u + _e63.first_primitive)].flags;
-                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
-                phi_278_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, ((_e130 & 1u) == 0u));
-            } else {
-                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
-                phi_278_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
-            }
-            let _e164 = phi_278_;
-            phi_282_ = _e164;
-        } else {
-            let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
-            phi_282_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, true);
-        }
-        let _e181 = phi_282_;
-        if _e181.unnamed_1 {
-            phi_685_ = evaluate_Verdict(_e181.unnamed.visibility, _e181.unnamed.is_doubted);
-            phi_686_ = evaluate_Verdict();
-            phi_687_ = true;
-        } else {
-            let _e189 = samples.member[(0u + _e63.first_primitive)].position;
-            let _e207 = ((((_e73.projection.row_w.x * _e189.x) + (_e73.projection.row_w.y * _e189.y)) + (_e73.projection.row_w.z * _e189.z)) + (_e73.projection.row_w.w * 1f));
-            let _e221 = (((((_e73.projection.row_x.x * _e189.x) + (_e73.projection.row_x.y * _e189.y)) + (_e73.projection.row_x.z * _e189.z)) + (_e73.projection.row_x.w * 1f)) / _e207);
-            let _e235 = (((((_e73.projection.row_y.x * _e189.x) + (_e73.projection.row_y.y * _e189.y)) + (_e73.projection.row_y.z * _e189.z)) + (_e73.projection.row_y.w * 1f)) / _e207);
-            let _e248 = ((((_e73.projection.row_z.x * _e189.x) + (_e73.projection.row_z.y * _e189.y)) + (_e73.projection.row_z.z * _e189.z)) + (_e73.projection.row_z.w * 1f));
-            if (_e207 > 0f) {
-                if (_e221 >= 0f) {
-                    phi_356_ = (_e221 <= 1f);
+        let _e100 = phi_238_;
+        if !(_e100) {
+            let _e103 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e105 = p.member.light.place;
+            let _e111 = p.member.light.place[3u];
+            let _e118 = (_e105.x - (_e103.x * _e111));
+            let _e119 = (_e105.y - (_e103.y * _e111));
+            let _e120 = (_e105.z - (_e103.z * _e111));
+            let _e122 = samples.member[(0u + _e63.first_primitive)].normal;
+            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
+                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
+                let _e138 = p.member.light.axis;
+                let _e150 = p.member.light.place[3u];
+                if (_e150 == 0f) {
+                    phi_309_ = true;
                 } else {
-                    phi_356_ = false;
-                }
-                let _e253 = phi_356_;
-                if _e253 {
-                    if (_e235 >= 0f) {
-                        phi_365_ = (_e235 <= 1f);
+                    let _e153 = p.member.light.range_squared;
+                    if (_e136 <= _e153) {
+                        let _e156 = p.member.light.cos_outer;
+                        phi_308_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
                     } else {
-                        phi_365_ = false;
+                        phi_308_ = false;
                     }
-                    let _e257 = phi_365_;
-                    if _e257 {
-                        if (_e248 >= 0f) {
-                            phi_374_ = (_e248 <= 1f);
+                    let _e161 = phi_308_;
+                    phi_309_ = _e161;
+                }
+                let _e163 = phi_309_;
+                if _e163 {
+                    let _e165 = samples.member[(0u + _e63.first_primitive)].flags;
+                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
+                    phi_320_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
+                    phi_321_ = false;
+                } else {
+                    phi_320_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_321_ = true;
+                }
+                let _e184 = phi_320_;
+                let _e186 = phi_321_;
+                phi_322_ = _e184;
+                phi_323_ = _e186;
+            } else {
+                phi_322_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_323_ = true;
+            }
+            let _e188 = phi_322_;
+            let _e190 = phi_323_;
+            if _e190 {
+                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
+                phi_330_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+            } else {
+                phi_330_ = _e188;
+            }
+            let _e207 = phi_330_;
+            phi_334_ = _e207;
+        } else {
+            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
+            phi_334_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+        }
+        let _e224 = phi_334_;
+        if _e224.unnamed_1 {
+            phi_737_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
+            phi_738_ = evaluate_Verdict();
+            phi_739_ = true;
+        } else {
+            let _e232 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
+            let _e264 = (((((_e73.projection.row_x.x * _e232.x) + (_e73.projection.row_x.y * _e232.y)) + (_e73.projection.row_x.z * _e232.z)) + (_e73.projection.row_x.w * 1f)) / _e250);
+            let _e278 = (((((_e73.projection.row_y.x * _e232.x) + (_e73.projection.row_y.y * _e232.y)) + (_e73.projection.row_y.z * _e232.z)) + (_e73.projection.row_y.w * 1f)) / _e250);
+            let _e291 = ((((_e73.projection.row_z.x * _e232.x) + (_e73.projection.row_z.y * _e232.y)) + (_e73.projection.row_z.z * _e232.z)) + (_e73.projection.row_z.w * 1f));
+            if (_e250 > 0f) {
+                if (_e264 >= 0f) {
+                    phi_408_ = (_e264 <= 1f);
+                } else {
+                    phi_408_ = false;
+                }
+                let _e296 = phi_408_;
+                if _e296 {
+                    if (_e278 >= 0f) {
+                        phi_417_ = (_e278 <= 1f);
+                    } else {
+                        phi_417_ = false;
+                    }
+                    let _e300 = phi_417_;
+                    if _e300 {
+                        if (_e291 >= 0f) {
+                            phi_426_ = (_e291 <= 1f);
                         } else {
-                            phi_374_ = false;
+                            phi_426_ = false;
                         }
-                        let _e261 = phi_374_;
-                        phi_375_ = _e261;
-                        phi_376_ = false;
+                        let _e304 = phi_426_;
+                        phi_427_ = _e304;
+                        phi_428_ = false;
                     } else {
-                        phi_375_ = bool();
-                        phi_376_ = true;
+                        phi_427_ = bool();
+                        phi_428_ = true;
                     }
-                    let _e263 = phi_375_;
-                    let _e265 = phi_376_;
-                    phi_377_ = _e263;
-                    phi_378_ = _e265;
+                    let _e306 = phi_427_;
+                    let _e308 = phi_428_;
+                    phi_429_ = _e306;
+                    phi_430_ = _e308;
                 } else {
-                    phi_377_ = bool();
-                    phi_378_ = true;
+                    phi_429_ = bool();
+                    phi_430_ = true;
                 }
-                let _e267 = phi_377_;
-                let _e269 = phi_378_;
-                phi_379_ = _e267;
-                phi_380_ = _e269;
+                let _e310 = phi_429_;
+                let _e312 = phi_430_;
+                phi_431_ = _e310;
+                phi_432_ = _e312;
             } else {
-                phi_379_ = bool();
-                phi_380_ = true;
+                phi_431_ = bool();
+                phi_432_ = true;
             }
-            let _e271 = phi_379_;
-            let _e273 = phi_380_;
-            if _e273 {
-                phi_384_ = false;
+            let _e314 = phi_431_;
+            let _e316 = phi_432_;
+            if _e316 {
+                phi_436_ = false;
             } else {
-                phi_384_ = _e271;
+                phi_436_ = _e314;
             }
-            let _e275 = phi_384_;
-            if _e275 {
+            let _e318 = phi_436_;
+            if _e318 {
                 if (0f > 0f) {
-                    let _e278 = samples.member[(0u + _e63.first_primitive)].normal;
-                    let _e280 = p.member.map_size;
-                    let _e350 = ((abs(((((_e69.row_x.x * _e278.x) + (_e69.row_x.y * _e278.y)) + (_e69.row_x.z * _e278.z)) / (((_e69.row_x.x * _e69.row_x.x) + (_e69.row_x.y * _e69.row_x.y)) + (_e69.row_x.z * _e69.row_x.z)))) + abs(((((_e69.row_y.x * _e278.x) + (_e69.row_y.y * _e278.y)) + (_e69.row_y.z * _e278.z)) / (((_e69.row_y.x * _e69.row_y.x) + (_e69.row_y.y * _e69.row_y.y)) + (_e69.row_y.z * _e69.row_y.z))))) / (abs(((((_e69.row_z.x * _e278.x) + (_e69.row_z.y * _e278.y)) + (_e69.row_z.z * _e278.z)) / (((_e69.row_z.x * _e69.row_z.x) + (_e69.row_z.y * _e69.row_z.y)) + (_e69.row_z.z * _e69.row_z.z)))) * f32(_e280)));
-                    if (_e350 < 0.002f) {
-                        phi_474_ = _e350;
+                    let _e321 = samples.member[(0u + _e63.first_primitive)].normal;
+                    let _e323 = p.member.map_size;
+                    let _e393 = ((abs(((((_e69.row_x.x * _e321.x) + (_e69.row_x.y * _e321.y)) + (_e69.row_x.z * _e321.z)) / (((_e69.row_x.x * _e69.row_x.x) + (_e69.row_x.y * _e69.row_x.y)) + (_e69.row_x.z * _e69.row_x.z)))) + abs(((((_e69.row_y.x * _e321.x) + (_e69.row_y.y * _e321.y)) + (_e69.row_y.z * _e321.z)) / (((_e69.row_y.x * _e69.row_y.x) + (_e69.row_y.y * _e69.row_y.y)) + (_e69.row_y.z * _e69.row_y.z))))) / (abs(((((_e69.row_z.x * _e321.x) + (_e69.row_z.y * _e321.y)) + (_e69.row_z.z * _e321.z)) / (((_e69.row_z.x * _e69.row_z.x) + (_e69.row_z.y * _e69.row_z.y)) + (_e69.row_z.z * _e69.row_z.z)))) * f32(_e323)));
+                    if (_e393 < 0.002f) {
+                        phi_526_ = _e393;
                     } else {
-                        phi_474_ = 0.002f;
+                        phi_526_ = 0.002f;
                     }
-                    let _e353 = phi_474_;
-                    phi_477_ = (_e248 - (0f * _e353));
+                    let _e396 = phi_526_;
+                    phi_529_ = (_e291 - (0f * _e396));
                 } else {
-                    phi_477_ = _e248;
+                    phi_529_ = _e291;
                 }
-                let _e357 = phi_477_;
-                let _e359 = p.member.map_size;
-                let _e360 = f32(_e359);
-                let _e363 = ((_e221 * _e360) - 0.5f);
-                let _e364 = ((_e235 * _e360) - 0.5f);
-                if (_e363 > -8388608f) {
-                    let _e376 = f32(select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < bitcast<f32>(3472883712u))), 2147483647i, (_e363 > bitcast<f32>(1325400063u))), (_e363 == _e363)));
-                    if (_e376 > _e363) {
-                        phi_506_ = 1f;
+                let _e400 = phi_529_;
+                let _e402 = p.member.map_size;
+                let _e403 = f32(_e402);
+                let _e406 = ((_e264 * _e403) - 0.5f);
+                let _e407 = ((_e278 * _e403) - 0.5f);
+                if (_e406 > -8388608f) {
+                    let _e419 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
+                    if (_e419 > _e406) {
+                        phi_558_ = 1f;
                     } else {
-                        phi_506_ = 0f;
+                        phi_558_ = 0f;
                     }
-                    let _e379 = phi_506_;
-                    if (_e363 < 8388608f) {
-                        phi_511_ = (_e376 - _e379);
-                        phi_512_ = false;
+                    let _e422 = phi_558_;
+                    if (_e406 < 8388608f) {
+                        phi_563_ = (_e419 - _e422);
+                        phi_564_ = false;
                     } else {
-                        phi_511_ = f32();
-                        phi_512_ = true;
+                        phi_563_ = f32();
+                        phi_564_ = true;
                     }
-                    let _e382 = phi_511_;
-                    let _e384 = phi_512_;
-                    phi_513_ = _e382;
-                    phi_514_ = _e384;
+                    let _e425 = phi_563_;
+                    let _e427 = phi_564_;
+                    phi_565_ = _e425;
+                    phi_566_ = _e427;
                 } else {
-                    phi_513_ = f32();
-                    phi_514_ = true;
+                    phi_565_ = f32();
+                    phi_566_ = true;
                 }
-                let _e386 = phi_513_;
-                let _e388 = phi_514_;
-                if _e388 {
-                    phi_518_ = _e363;
+                let _e429 = phi_565_;
+                let _e431 = phi_566_;
+                if _e431 {
+                    phi_570_ = _e406;
                 } else {
-                    phi_518_ = _e386;
+                    phi_570_ = _e429;
                 }
-                let _e390 = phi_518_;
-                if (_e364 > -8388608f) {
-                    let _e402 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
-                    if (_e402 > _e364) {
-                        phi_538_ = 1f;
+                let _e433 = phi_570_;
+                if (_e407 > -8388608f) {
+                    let _e445 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
+                    if (_e445 > _e407) {
+                        phi_590_ = 1f;
                     } else {
-                        phi_538_ = 0f;
+                        phi_590_ = 0f;
                     }
-                    let _e405 = phi_538_;
-                    if (_e364 < 8388608f) {
-                        phi_543_ = (_e402 - _e405);
-                        phi_544_ = false;
+                    let _e448 = phi_590_;
+                    if (_e407 < 8388608f) {
+                        phi_595_ = (_e445 - _e448);
+                        phi_596_ = false;
                     } else {
-                        phi_543_ = f32();
-                        phi_544_ = true;
+                        phi_595_ = f32();
+                        phi_596_ = true;
                     }
-                    let _e408 = phi_543_;
-                    let _e410 = phi_544_;
-                    phi_545_ = _e408;
-                    phi_546_ = _e410;
+                    let _e451 = phi_595_;
+                    let _e453 = phi_596_;
+                    phi_597_ = _e451;
+                    phi_598_ = _e453;
                 } else {
-                    phi_545_ = f32();
-                    phi_546_ = true;
+                    phi_597_ = f32();
+                    phi_598_ = true;
                 }
-                let _e412 = phi_545_;
-                let _e414 = phi_546_;
-                if _e414 {
-                    phi_550_ = _e364;
-                } else {
-                    phi_550_ = _e412;
-                }
-                let _e416 = phi_550_;
-                let _e417 = (_e363 - _e390);
-                let _e418 = (_e364 - _e416);
-                let _e427 = select(0i, select(select(i32(_e390), i32(-2147483648), (_e390 < bitcast<f32>(3472883712u))), 2147483647i, (_e390 > bitcast<f32>(1325400063u))), (_e390 == _e390));
-                let _e436 = select(0i, select(select(i32(_e416), i32(-2147483648), (_e416 < bitcast<f32>(3472883712u))), 2147483647i, (_e416 > bitcast<f32>(1325400063u))), (_e416 == _e416));
-                let _e447 = p.member.test;
-                let _e448 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e447);
-                let _e450 = p.member.map_size;
-                local = _e448;
-                let _e452 = ((0u * _e450) * _e450);
-                let _e454 = (bitcast<i32>(_e450) - 1i);
-                if (_e427 > 0i) {
-                    phi_598_ = _e427;
-                } else {
-                    phi_598_ = 0i;
-                }
+                let _e455 = phi_597_;
                 let _e457 = phi_598_;
-                if (_e436 > 0i) {
-                    phi_603_ = _e436;
+                if _e457 {
+                    phi_602_ = _e407;
                 } else {
-                    phi_603_ = 0i;
+                    phi_602_ = _e455;
                 }
-                let _e460 = phi_603_;
-                if (_e457 < _e454) {
-                    phi_608_ = _e457;
-                } else {
-                    phi_608_ = _e454;
-                }
-                let _e463 = phi_608_;
-                if (_e460 < _e454) {
-                    phi_613_ = _e460;
-                } else {
-                    phi_613_ = _e454;
-                }
-                let _e466 = phi_613_;
-                let _e467 = bitcast<u32>(_e463);
-                let _e469 = (_e427 + 1i);
-                let _e470 = (_e436 + 1i);
-                if (_e469 > 0i) {
-                    phi_622_ = _e469;
-                } else {
-                    phi_622_ = 0i;
-                }
-                let _e473 = phi_622_;
+                let _e459 = phi_602_;
+                let _e460 = (_e406 - _e433);
+                let _e461 = (_e407 - _e459);
+                let _e470 = select(0i, select(select(i32(_e433), i32(-2147483648), (_e433 < bitcast<f32>(3472883712u))), 2147483647i, (_e433 > bitcast<f32>(1325400063u))), (_e433 == _e433));
+                let _e479 = select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < bitcast<f32>(3472883712u))), 2147483647i, (_e459 > bitcast<f32>(1325400063u))), (_e459 == _e459));
+                let _e490 = p.member.test;
+                let _e491 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e490);
+                let _e493 = p.member.map_size;
+                local = _e491;
+                let _e495 = ((0u * _e493) * _e493);
+                let _e497 = (bitcast<i32>(_e493) - 1i);
                 if (_e470 > 0i) {
-                    phi_627_ = _e470;
+                    phi_650_ = _e470;
                 } else {
-                    phi_627_ = 0i;
+                    phi_650_ = 0i;
                 }
-                let _e476 = phi_627_;
-                if (_e473 < _e454) {
-                    phi_632_ = _e473;
+                let _e500 = phi_650_;
+                if (_e479 > 0i) {
+                    phi_655_ = _e479;
                 } else {
-                    phi_632_ = _e454;
+                    phi_655_ = 0i;
                 }
-                let _e479 = phi_632_;
-                if (_e476 < _e454) {
-                    phi_637_ = _e476;
+                let _e503 = phi_655_;
+                if (_e500 < _e497) {
+                    phi_660_ = _e500;
                 } else {
-                    phi_637_ = _e454;
+                    phi_660_ = _e497;
                 }
-                let _e482 = phi_637_;
-                let _e483 = bitcast<u32>(_e479);
-                let _e485 = (bitcast<u32>(_e466) * _e450);
-                let _e486 = (bitcast<u32>(_e482) * _e450);
-                let _e491 = ((_e485 + _e467) + _e452);
-                let _e492 = ((_e485 + _e483) + _e452);
-                let _e493 = ((_e486 + _e467) + _e452);
-                let _e494 = ((_e486 + _e483) + _e452);
-                if (_e491 < _e54) {
+                let _e506 = phi_660_;
+                if (_e503 < _e497) {
+                    phi_665_ = _e503;
+                } else {
+                    phi_665_ = _e497;
+                }
+                let _e509 = phi_665_;
+                let _e510 = bitcast<u32>(_e506);
+                let _e512 = (_e470 + 1i);
+                let _e513 = (_e479 + 1i);
+                if (_e512 > 0i) {
+                    phi_674_ = _e512;
+                } else {
+                    phi_674_ = 0i;
+                }
+                let _e516 = phi_674_;
+                if (_e513 > 0i) {
+                    phi_679_ = _e513;
+                } else {
+                    phi_679_ = 0i;
+                }
+                let _e519 = phi_679_;
+                if (_e516 < _e497) {
+                    phi_684_ = _e516;
+                } else {
+                    phi_684_ = _e497;
+                }
+                let _e522 = phi_684_;
+                if (_e519 < _e497) {
+                    phi_689_ = _e519;
+                } else {
+                    phi_689_ = _e497;
+                }
+                let _e525 = phi_689_;
+                let _e526 = bitcast<u32>(_e522);
+                let _e528 = (bitcast<u32>(_e509) * _e493);
+                let _e529 = (bitcast<u32>(_e525) * _e493);
+                let _e534 = ((_e528 + _e510) + _e495);
+                let _e535 = ((_e528 + _e526) + _e495);
+                let _e536 = ((_e529 + _e510) + _e495);
+                let _e537 = ((_e529 + _e526) + _e495);
+                if (_e534 < _e54) {
                 } else {
                     return;
                 }
-                let _e498 = map.member[(0u + _e491)];
-                if (_e492 < _e54) {
+                let _e541 = map.member[(0u + _e534)];
+                if (_e535 < _e54) {
                 } else {
                     return;
                 }
-                let _e502 = map.member[(0u + _e492)];
-                if (_e493 < _e54) {
+                let _e545 = map.member[(0u + _e535)];
+                if (_e536 < _e54) {
                 } else {
                     return;
                 }
-                let _e506 = map.member[(0u + _e493)];
-                if (_e494 < _e54) {
+                let _e549 = map.member[(0u + _e536)];
+                if (_e537 < _e54) {
                 } else {
                     return;
                 }
-                let _e510 = map.member[(0u + _e494)];
-                let _e512 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e498, _e502, _e506, _e510), vec4<f32>(((1f - _e417) * (1f - _e418)), (_e417 * (1f - _e418)), ((1f - _e417) * _e418), (_e417 * _e418)), _e357);
-                phi_682_ = evaluate_Verdict(_e512, false);
-                phi_683_ = evaluate_Verdict();
-                phi_684_ = false;
+                let _e553 = map.member[(0u + _e537)];
+                let _e555 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e541, _e545, _e549, _e553), vec4<f32>(((1f - _e460) * (1f - _e461)), (_e460 * (1f - _e461)), ((1f - _e460) * _e461), (_e460 * _e461)), _e400);
+                phi_734_ = evaluate_Verdict(_e555, false);
+                phi_735_ = evaluate_Verdict();
+                phi_736_ = false;
             } else {
-                phi_682_ = evaluate_Verdict();
-                phi_683_ = evaluate_Verdict(1f, false);
-                phi_684_ = true;
+                phi_734_ = evaluate_Verdict();
+                phi_735_ = evaluate_Verdict(1f, false);
+                phi_736_ = true;
             }
-            let _e516 = phi_682_;
-            let _e518 = phi_683_;
-            let _e520 = phi_684_;
-            phi_685_ = _e518;
-            phi_686_ = _e516;
-            phi_687_ = _e520;
+            let _e559 = phi_734_;
+            let _e561 = phi_735_;
+            let _e563 = phi_736_;
+            phi_737_ = _e561;
+            phi_738_ = _e559;
+            phi_739_ = _e563;
         }
-        let _e522 = phi_685_;
-        let _e524 = phi_686_;
-        let _e526 = phi_687_;
-        if _e526 {
-            phi_691_ = _e522;
+        let _e565 = phi_737_;
+        let _e567 = phi_738_;
+        let _e569 = phi_739_;
+        if _e569 {
+            phi_743_ = _e565;
         } else {
-            phi_691_ = _e524;
+            phi_743_ = _e567;
         }
-        let _e528 = phi_691_;
+        let _e571 = phi_743_;
         if (_e63.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e63.first_primitive)] = _e528.visibility;
+        visibility.member[(0u + _e63.first_primitive)] = _e571.visibility;
     }
     return;
 }

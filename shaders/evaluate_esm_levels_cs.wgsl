@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,18 +48,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_29 {
+struct type_31 {
     member: abi_ShadowParams,
 }
 
@@ -60,7 +69,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_35 {
+struct type_37 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -74,45 +83,45 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_29;
+var<uniform> p: type_31;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_35;
+var<storage> levels: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_155_: lt_bvh_traverse_Tree;
-    var phi_156_: bool;
     var phi_157_: lt_bvh_traverse_Tree;
     var phi_158_: bool;
-    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_159_: lt_bvh_traverse_Tree;
+    var phi_160_: bool;
+    var phi_165_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_155_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_156_ = false;
+            phi_157_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_158_ = false;
         } else {
-            phi_155_ = lt_bvh_traverse_Tree();
-            phi_156_ = true;
+            phi_157_ = lt_bvh_traverse_Tree();
+            phi_158_ = true;
         }
-        let _e65 = phi_155_;
-        let _e67 = phi_156_;
-        phi_157_ = _e65;
-        phi_158_ = _e67;
+        let _e65 = phi_157_;
+        let _e67 = phi_158_;
+        phi_159_ = _e65;
+        phi_160_ = _e67;
     } else {
-        phi_157_ = lt_bvh_traverse_Tree();
-        phi_158_ = true;
+        phi_159_ = lt_bvh_traverse_Tree();
+        phi_160_ = true;
     }
-    let _e69 = phi_157_;
-    let _e71 = phi_158_;
+    let _e69 = phi_159_;
+    let _e71 = phi_160_;
     if _e71 {
-        phi_163_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_165_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_163_ = _e69;
+        phi_165_ = _e69;
     }
-    let _e76 = phi_163_;
+    let _e76 = phi_165_;
     return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
@@ -121,499 +130,485 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_183_: bool;
-    var phi_187_: f32;
+    var phi_185_: bool;
+    var phi_189_: f32;
 
     let _e53 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_183_ = true;
+        phi_185_ = true;
     } else {
         let _e57 = (84f < _e53);
         if _e57 {
         }
-        phi_183_ = _e57;
+        phi_185_ = _e57;
     }
-    let _e59 = phi_183_;
+    let _e59 = phi_185_;
     if _e59 {
-        phi_187_ = 84f;
+        phi_189_ = 84f;
     } else {
-        phi_187_ = _e53;
+        phi_189_ = _e53;
     }
-    let _e61 = phi_187_;
+    let _e61 = phi_189_;
     return _e61;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_208_: f32;
-    var phi_209_: f32;
     var phi_210_: f32;
-    var phi_226_: f32;
-    var phi_227_: f32;
+    var phi_211_: f32;
+    var phi_212_: f32;
     var phi_228_: f32;
-    var phi_244_: f32;
-    var phi_245_: f32;
+    var phi_229_: f32;
+    var phi_230_: f32;
     var phi_246_: f32;
-    var phi_262_: f32;
-    var phi_263_: f32;
+    var phi_247_: f32;
+    var phi_248_: f32;
     var phi_264_: f32;
-    var phi_280_: f32;
-    var phi_281_: f32;
+    var phi_265_: f32;
+    var phi_266_: f32;
     var phi_282_: f32;
-    var phi_301_: f32;
-    var phi_306_: f32;
-    var phi_328_: f32;
-    var phi_333_: f32;
-    var phi_334_: bool;
+    var phi_283_: f32;
+    var phi_284_: f32;
+    var phi_303_: f32;
+    var phi_308_: f32;
+    var phi_330_: f32;
     var phi_335_: f32;
     var phi_336_: bool;
-    var phi_340_: f32;
-    var phi_378_: f32;
-    var phi_389_: f32;
-    var phi_394_: f32;
-    var phi_416_: f32;
-    var phi_421_: f32;
-    var phi_422_: bool;
+    var phi_337_: f32;
+    var phi_338_: bool;
+    var phi_342_: f32;
+    var phi_380_: f32;
+    var phi_391_: f32;
+    var phi_396_: f32;
+    var phi_418_: f32;
     var phi_423_: f32;
     var phi_424_: bool;
-    var phi_428_: f32;
-    var phi_466_: f32;
-    var phi_477_: f32;
-    var phi_482_: f32;
-    var phi_504_: f32;
-    var phi_509_: f32;
-    var phi_510_: bool;
+    var phi_425_: f32;
+    var phi_426_: bool;
+    var phi_430_: f32;
+    var phi_468_: f32;
+    var phi_479_: f32;
+    var phi_484_: f32;
+    var phi_506_: f32;
     var phi_511_: f32;
     var phi_512_: bool;
-    var phi_516_: f32;
-    var phi_554_: f32;
-    var phi_565_: f32;
-    var phi_570_: f32;
-    var phi_592_: f32;
-    var phi_597_: f32;
-    var phi_598_: bool;
+    var phi_513_: f32;
+    var phi_514_: bool;
+    var phi_518_: f32;
+    var phi_556_: f32;
+    var phi_567_: f32;
+    var phi_572_: f32;
+    var phi_594_: f32;
     var phi_599_: f32;
     var phi_600_: bool;
-    var phi_604_: f32;
-    var phi_642_: f32;
-    var phi_668_: f32;
-    var phi_669_: f32;
+    var phi_601_: f32;
+    var phi_602_: bool;
+    var phi_606_: f32;
+    var phi_644_: f32;
     var phi_670_: f32;
+    var phi_671_: f32;
+    var phi_672_: f32;
 
     let _e56 = _lt_math_esm_Esm_clamped_exponent(param_5);
     if ((bitcast<u32>(param_8) & 2147483647u) > 2139095040u) {
-        phi_210_ = param_8;
+        phi_212_ = param_8;
     } else {
         if (param_8 < 0f) {
-            phi_209_ = 0f;
+            phi_211_ = 0f;
         } else {
             if (param_8 > 1f) {
-                phi_208_ = 1f;
+                phi_210_ = 1f;
             } else {
-                phi_208_ = param_8;
+                phi_210_ = param_8;
             }
-            let _e63 = phi_208_;
-            phi_209_ = _e63;
+            let _e63 = phi_210_;
+            phi_211_ = _e63;
         }
-        let _e65 = phi_209_;
-        phi_210_ = _e65;
+        let _e65 = phi_211_;
+        phi_212_ = _e65;
     }
-    let _e67 = phi_210_;
+    let _e67 = phi_212_;
     if ((bitcast<u32>(param_6.x) & 2147483647u) > 2139095040u) {
-        phi_228_ = param_6.x;
+        phi_230_ = param_6.x;
     } else {
         if (param_6.x < 0f) {
-            phi_227_ = 0f;
+            phi_229_ = 0f;
         } else {
             if (param_6.x > 1f) {
-                phi_226_ = 1f;
+                phi_228_ = 1f;
             } else {
-                phi_226_ = param_6.x;
+                phi_228_ = param_6.x;
             }
-            let _e75 = phi_226_;
-            phi_227_ = _e75;
+            let _e75 = phi_228_;
+            phi_229_ = _e75;
         }
-        let _e77 = phi_227_;
-        phi_228_ = _e77;
+        let _e77 = phi_229_;
+        phi_230_ = _e77;
     }
-    let _e79 = phi_228_;
+    let _e79 = phi_230_;
     if ((bitcast<u32>(param_6.y) & 2147483647u) > 2139095040u) {
-        phi_246_ = param_6.y;
+        phi_248_ = param_6.y;
     } else {
         if (param_6.y < 0f) {
-            phi_245_ = 0f;
+            phi_247_ = 0f;
         } else {
             if (param_6.y > 1f) {
-                phi_244_ = 1f;
+                phi_246_ = 1f;
             } else {
-                phi_244_ = param_6.y;
+                phi_246_ = param_6.y;
             }
-            let _e87 = phi_244_;
-            phi_245_ = _e87;
+            let _e87 = phi_246_;
+            phi_247_ = _e87;
         }
-        let _e89 = phi_245_;
-        phi_246_ = _e89;
+        let _e89 = phi_247_;
+        phi_248_ = _e89;
     }
-    let _e91 = phi_246_;
+    let _e91 = phi_248_;
     if ((bitcast<u32>(param_6.z) & 2147483647u) > 2139095040u) {
-        phi_264_ = param_6.z;
+        phi_266_ = param_6.z;
     } else {
         if (param_6.z < 0f) {
-            phi_263_ = 0f;
+            phi_265_ = 0f;
         } else {
             if (param_6.z > 1f) {
-                phi_262_ = 1f;
+                phi_264_ = 1f;
             } else {
-                phi_262_ = param_6.z;
+                phi_264_ = param_6.z;
             }
-            let _e99 = phi_262_;
-            phi_263_ = _e99;
+            let _e99 = phi_264_;
+            phi_265_ = _e99;
         }
-        let _e101 = phi_263_;
-        phi_264_ = _e101;
+        let _e101 = phi_265_;
+        phi_266_ = _e101;
     }
-    let _e103 = phi_264_;
+    let _e103 = phi_266_;
     if ((bitcast<u32>(param_6.w) & 2147483647u) > 2139095040u) {
-        phi_282_ = param_6.w;
+        phi_284_ = param_6.w;
     } else {
         if (param_6.w < 0f) {
-            phi_281_ = 0f;
+            phi_283_ = 0f;
         } else {
             if (param_6.w > 1f) {
-                phi_280_ = 1f;
+                phi_282_ = 1f;
             } else {
-                phi_280_ = param_6.w;
+                phi_282_ = param_6.w;
             }
-            let _e111 = phi_280_;
-            phi_281_ = _e111;
+            let _e111 = phi_282_;
+            phi_283_ = _e111;
         }
-        let _e113 = phi_281_;
-        phi_282_ = _e113;
+        let _e113 = phi_283_;
+        phi_284_ = _e113;
     }
-    let _e115 = phi_282_;
+    let _e115 = phi_284_;
     let _e120 = (_e56 * (_e79 - _e67));
     let _e121 = (_e56 * (_e91 - _e67));
     let _e122 = (_e56 * (_e103 - _e67));
     let _e123 = (_e56 * (_e115 - _e67));
     if ((bitcast<u32>(_e120) & 2147483647u) > 2139095040u) {
-        phi_378_ = _e120;
+        phi_380_ = _e120;
     } else {
         if (_e120 < -87f) {
-            phi_301_ = -87f;
+            phi_303_ = -87f;
         } else {
-            phi_301_ = _e120;
+            phi_303_ = _e120;
         }
-        let _e129 = phi_301_;
+        let _e129 = phi_303_;
         if (_e129 > 88f) {
-            phi_306_ = 88f;
+            phi_308_ = 88f;
         } else {
-            phi_306_ = _e129;
+            phi_308_ = _e129;
         }
-        let _e132 = phi_306_;
+        let _e132 = phi_308_;
         let _e134 = ((_e132 * 1.442695f) + 0.5f);
         if (_e134 > -8388608f) {
             let _e146 = f32(select(0i, select(select(i32(_e134), i32(-2147483648), (_e134 < bitcast<f32>(3472883712u))), 2147483647i, (_e134 > bitcast<f32>(1325400063u))), (_e134 == _e134)));
             if (_e146 > _e134) {
-                phi_328_ = 1f;
+                phi_330_ = 1f;
             } else {
-                phi_328_ = 0f;
+                phi_330_ = 0f;
             }
-            let _e149 = phi_328_;
+            let _e149 = phi_330_;
             if (_e134 < 8388608f) {
-                phi_333_ = (_e146 - _e149);
-                phi_334_ = false;
+                phi_335_ = (_e146 - _e149);
+                phi_336_ = false;
             } else {
-                phi_333_ = f32();
-                phi_334_ = true;
+                phi_335_ = f32();
+                phi_336_ = true;
             }
-            let _e152 = phi_333_;
-            let _e154 = phi_334_;
-            phi_335_ = _e152;
-            phi_336_ = _e154;
+            let _e152 = phi_335_;
+            let _e154 = phi_336_;
+            phi_337_ = _e152;
+            phi_338_ = _e154;
         } else {
-            phi_335_ = f32();
-            phi_336_ = true;
+            phi_337_ = f32();
+            phi_338_ = true;
         }
-        let _e156 = phi_335_;
-        let _e158 = phi_336_;
+        let _e156 = phi_337_;
+        let _e158 = phi_338_;
         if _e158 {
-            phi_340_ = _e134;
+            phi_342_ = _e134;
         } else {
-            phi_340_ = _e156;
+            phi_342_ = _e156;
         }
-        let _e160 = phi_340_;
+        let _e160 = phi_342_;
         let _e164 = ((_e132 - (_e160 * 0.69314575f)) - (_e160 * 0.0000014286068f));
-        phi_378_ = ((((((((((((((((1f / 5040f) * _e164) + (1f / 720f)) * _e164) + (1f / 120f)) * _e164) + (1f / 24f)) * _e164) + (1f / 6f)) * _e164) + 0.5f) * _e164) + 1f) * _e164) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e160), i32(-2147483648), (_e160 < bitcast<f32>(3472883712u))), 2147483647i, (_e160 > bitcast<f32>(1325400063u))), (_e160 == _e160)) + 127i)) << bitcast<u32>(23i))));
+        phi_380_ = ((((((((((((((((1f / 5040f) * _e164) + (1f / 720f)) * _e164) + (1f / 120f)) * _e164) + (1f / 24f)) * _e164) + (1f / 6f)) * _e164) + 0.5f) * _e164) + 1f) * _e164) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e160), i32(-2147483648), (_e160 < bitcast<f32>(3472883712u))), 2147483647i, (_e160 > bitcast<f32>(1325400063u))), (_e160 == _e160)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e200 = phi_378_;
+    let _e200 = phi_380_;
     if ((bitcast<u32>(_e121) & 2147483647u) > 2139095040u) {
-        phi_466_ = _e121;
+        phi_468_ = _e121;
     } else {
         if (_e121 < -87f) {
-            phi_389_ = -87f;
+            phi_391_ = -87f;
         } else {
-            phi_389_ = _e121;
+            phi_391_ = _e121;
         }
-        let _e206 = phi_389_;
+        let _e206 = phi_391_;
         if (_e206 > 88f) {
-            phi_394_ = 88f;
+            phi_396_ = 88f;
         } else {
-            phi_394_ = _e206;
+            phi_396_ = _e206;
         }
-        let _e209 = phi_394_;
+        let _e209 = phi_396_;
         let _e211 = ((_e209 * 1.442695f) + 0.5f);
         if (_e211 > -8388608f) {
             let _e223 = f32(select(0i, select(select(i32(_e211), i32(-2147483648), (_e211 < bitcast<f32>(3472883712u))), 2147483647i, (_e211 > bitcast<f32>(1325400063u))), (_e211 == _e211)));
             if (_e223 > _e211) {
-                phi_416_ = 1f;
+                phi_418_ = 1f;
             } else {
-                phi_416_ = 0f;
+                phi_418_ = 0f;
             }
-            let _e226 = phi_416_;
+            let _e226 = phi_418_;
             if (_e211 < 8388608f) {
-                phi_421_ = (_e223 - _e226);
-                phi_422_ = false;
+                phi_423_ = (_e223 - _e226);
+                phi_424_ = false;
             } else {
-                phi_421_ = f32();
-                phi_422_ = true;
+                phi_423_ = f32();
+                phi_424_ = true;
             }
-            let _e229 = phi_421_;
-            let _e231 = phi_422_;
-            phi_423_ = _e229;
-            phi_424_ = _e231;
+            let _e229 = phi_423_;
+            let _e231 = phi_424_;
+            phi_425_ = _e229;
+            phi_426_ = _e231;
         } else {
-            phi_423_ = f32();
-            phi_424_ = true;
+            phi_425_ = f32();
+            phi_426_ = true;
         }
-        let _e233 = phi_423_;
-        let _e235 = phi_424_;
+        let _e233 = phi_425_;
+        let _e235 = phi_426_;
         if _e235 {
-            phi_428_ = _e211;
+            phi_430_ = _e211;
         } else {
-            phi_428_ = _e233;
+            phi_430_ = _e233;
         }
-        let _e237 = phi_428_;
+        let _e237 = phi_430_;
         let _e241 = ((_e209 - (_e237 * 0.69314575f)) - (_e237 * 0.0000014286068f));
-        phi_466_ = ((((((((((((((((1f / 5040f) * _e241) + (1f / 720f)) * _e241) + (1f / 120f)) * _e241) + (1f / 24f)) * _e241) + (1f / 6f)) * _e241) + 0.5f) * _e241) + 1f) * _e241) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)) + 127i)) << bitcast<u32>(23i))));
+        phi_468_ = ((((((((((((((((1f / 5040f) * _e241) + (1f / 720f)) * _e241) + (1f / 120f)) * _e241) + (1f / 24f)) * _e241) + (1f / 6f)) * _e241) + 0.5f) * _e241) + 1f) * _e241) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e277 = phi_466_;
+    let _e277 = phi_468_;
     if ((bitcast<u32>(_e122) & 2147483647u) > 2139095040u) {
-        phi_554_ = _e122;
+        phi_556_ = _e122;
     } else {
         if (_e122 < -87f) {
-            phi_477_ = -87f;
+            phi_479_ = -87f;
         } else {
-            phi_477_ = _e122;
+            phi_479_ = _e122;
         }
-        let _e283 = phi_477_;
+        let _e283 = phi_479_;
         if (_e283 > 88f) {
-            phi_482_ = 88f;
+            phi_484_ = 88f;
         } else {
-            phi_482_ = _e283;
+            phi_484_ = _e283;
         }
-        let _e286 = phi_482_;
+        let _e286 = phi_484_;
         let _e288 = ((_e286 * 1.442695f) + 0.5f);
         if (_e288 > -8388608f) {
             let _e300 = f32(select(0i, select(select(i32(_e288), i32(-2147483648), (_e288 < bitcast<f32>(3472883712u))), 2147483647i, (_e288 > bitcast<f32>(1325400063u))), (_e288 == _e288)));
             if (_e300 > _e288) {
-                phi_504_ = 1f;
+                phi_506_ = 1f;
             } else {
-                phi_504_ = 0f;
+                phi_506_ = 0f;
             }
-            let _e303 = phi_504_;
+            let _e303 = phi_506_;
             if (_e288 < 8388608f) {
-                phi_509_ = (_e300 - _e303);
-                phi_510_ = false;
+                phi_511_ = (_e300 - _e303);
+                phi_512_ = false;
             } else {
-                phi_509_ = f32();
-                phi_510_ = true;
+                phi_511_ = f32();
+                phi_512_ = true;
             }
-            let _e306 = phi_509_;
-            let _e308 = phi_510_;
-            phi_511_ = _e306;
-            phi_512_ = _e308;
+            let _e306 = phi_511_;
+            let _e308 = phi_512_;
+            phi_513_ = _e306;
+            phi_514_ = _e308;
         } else {
-            phi_511_ = f32();
-            phi_512_ = true;
+            phi_513_ = f32();
+            phi_514_ = true;
         }
-        let _e310 = phi_511_;
-        let _e312 = phi_512_;
+        let _e310 = phi_513_;
+        let _e312 = phi_514_;
         if _e312 {
-            phi_516_ = _e288;
+            phi_518_ = _e288;
         } else {
-            phi_516_ = _e310;
+            phi_518_ = _e310;
         }
-        let _e314 = phi_516_;
+        let _e314 = phi_518_;
         let _e318 = ((_e286 - (_e314 * 0.69314575f)) - (_e314 * 0.0000014286068f));
-        phi_554_ = ((((((((((((((((1f / 5040f) * _e318) + (1f / 720f)) * _e318) + (1f / 120f)) * _e318) + (1f / 24f)) * _e318) + (1f / 6f)) * _e318) + 0.5f) * _e318) + 1f) * _e318) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e314), i32(-2147483648), (_e314 < bitcast<f32>(3472883712u))), 2147483647i, (_e314 > bitcast<f32>(1325400063u))), (_e314 == _e314)) + 127i)) << bitcast<u32>(23i))));
+        phi_556_ = ((((((((((((((((1f / 5040f) * _e318) + (1f / 720f)) * _e318) + (1f / 120f)) * _e318) + (1f / 24f)) * _e318) + (1f / 6f)) * _e318) + 0.5f) * _e318) + 1f) * _e318) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e314), i32(-2147483648), (_e314 < bitcast<f32>(3472883712u))), 2147483647i, (_e314 > bitcast<f32>(1325400063u))), (_e314 == _e314)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e354 = phi_554_;
+    let _e354 = phi_556_;
     if ((bitcast<u32>(_e123) & 2147483647u) > 2139095040u) {
-        phi_642_ = _e123;
+        phi_644_ = _e123;
     } else {
         if (_e123 < -87f) {
-            phi_565_ = -87f;
+            phi_567_ = -87f;
         } else {
-            phi_565_ = _e123;
+            phi_567_ = _e123;
         }
-        let _e360 = phi_565_;
+        let _e360 = phi_567_;
         if (_e360 > 88f) {
-            phi_570_ = 88f;
+            phi_572_ = 88f;
         } else {
-            phi_570_ = _e360;
+            phi_572_ = _e360;
         }
-        let _e363 = phi_570_;
+        let _e363 = phi_572_;
         let _e365 = ((_e363 * 1.442695f) + 0.5f);
         if (_e365 > -8388608f) {
             let _e377 = f32(select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < bitcast<f32>(3472883712u))), 2147483647i, (_e365 > bitcast<f32>(1325400063u))), (_e365 == _e365)));
             if (_e377 > _e365) {
-                phi_592_ = 1f;
+                phi_594_ = 1f;
             } else {
-                phi_592_ = 0f;
+                phi_594_ = 0f;
             }
-            let _e380 = phi_592_;
+            let _e380 = phi_594_;
             if (_e365 < 8388608f) {
-                phi_597_ = (_e377 - _e380);
-                phi_598_ = false;
+                phi_599_ = (_e377 - _e380);
+                phi_600_ = false;
             } else {
-                phi_597_ = f32();
-                phi_598_ = true;
+                phi_599_ = f32();
+                phi_600_ = true;
             }
-            let _e383 = phi_597_;
-            let _e385 = phi_598_;
-            phi_599_ = _e383;
-            phi_600_ = _e385;
+            let _e383 = phi_599_;
+            let _e385 = phi_600_;
+            phi_601_ = _e383;
+            phi_602_ = _e385;
         } else {
-            phi_599_ = f32();
-            phi_600_ = true;
+            phi_601_ = f32();
+            phi_602_ = true;
         }
-        let _e387 = phi_599_;
-        let _e389 = phi_600_;
+        let _e387 = phi_601_;
+        let _e389 = phi_602_;
         if _e389 {
-            phi_604_ = _e365;
+            phi_606_ = _e365;
         } else {
-            phi_604_ = _e387;
+            phi_606_ = _e387;
         }
-        let _e391 = phi_604_;
+        let _e391 = phi_606_;
         let _e395 = ((_e363 - (_e391 * 0.69314575f)) - (_e391 * 0.0000014286068f));
-        phi_642_ = ((((((((((((((((1f / 5040f) * _e395) + (1f / 720f)) * _e395) + (1f / 120f)) * _e395) + (1f / 24f)) * _e395) + (1f / 6f)) * _e395) + 0.5f) * _e395) + 1f) * _e395) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e391), i32(-2147483648), (_e391 < bitcast<f32>(3472883712u))), 2147483647i, (_e391 > bitcast<f32>(1325400063u))), (_e391 == _e391)) + 127i)) << bitcast<u32>(23i))));
+        phi_644_ = ((((((((((((((((1f / 5040f) * _e395) + (1f / 720f)) * _e395) + (1f / 120f)) * _e395) + (1f / 24f)) * _e395) + (1f / 6f)) * _e395) + 0.5f) * _e395) + 1f) * _e395) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e391), i32(-2147483648), (_e391 < bitcast<f32>(3472883712u))), 2147483647i, (_e391 > bitcast<f32>(1325400063u))), (_e391 == _e391)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e431 = phi_642_;
+    let _e431 = phi_644_;
     let _e442 = ((((_e200 * param_7.x) + (_e277 * param_7.y)) + (_e354 * param_7.z)) + (_e431 * param_7.w));
     if ((bitcast<u32>(_e442) & 2147483647u) > 2139095040u) {
-        phi_670_ = _e442;
+        phi_672_ = _e442;
     } else {
         if (_e442 < 0f) {
-            phi_669_ = 0f;
+            phi_671_ = 0f;
         } else {
             if (_e442 > 1f) {
-                phi_668_ = 1f;
+                phi_670_ = 1f;
             } else {
-                phi_668_ = _e442;
+                phi_670_ = _e442;
             }
-            let _e449 = phi_668_;
-            phi_669_ = _e449;
+            let _e449 = phi_670_;
+            phi_671_ = _e449;
         }
-        let _e451 = phi_669_;
-        phi_670_ = _e451;
+        let _e451 = phi_671_;
+        phi_672_ = _e451;
     }
-    let _e453 = phi_670_;
+    let _e453 = phi_672_;
     return _e453;
-}
-
-fn lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(param_9: f32, param_10: f32) -> f32 {
-    var phi_678_: f32;
-
-    if (param_9 < param_10) {
-        phi_678_ = param_9;
-    } else {
-        phi_678_ = param_10;
-    }
-    let _e56 = phi_678_;
-    return _e56;
 }
 
 fn function_() {
     var local: f32;
+    var phi_732_: bool;
+    var phi_733_: bool;
+    var phi_734_: bool;
+    var phi_735_: bool;
     var phi_739_: bool;
-    var phi_740_: bool;
-    var phi_741_: bool;
-    var phi_742_: bool;
-    var phi_746_: bool;
-    var phi_790_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_794_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_814_: lt_math_LightPoint;
-    var phi_817_: u32;
-    var phi_819_: lt_math_LevelPoint;
-    var phi_905_: bool;
-    var phi_914_: bool;
-    var phi_923_: bool;
-    var phi_924_: bool;
-    var phi_925_: bool;
-    var phi_926_: bool;
-    var phi_927_: bool;
-    var phi_928_: bool;
-    var phi_929_: bool;
-    var phi_933_: bool;
-    var phi_960_: bool;
-    var phi_961_: bool;
-    var phi_962_: bool;
-    var phi_963_: bool;
+    var phi_809_: bool;
+    var phi_810_: bool;
+    var phi_821_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_822_: bool;
+    var phi_823_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_824_: bool;
+    var phi_831_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_835_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_855_: lt_math_LightPoint;
+    var phi_858_: u32;
+    var phi_860_: lt_math_LevelPoint;
+    var phi_946_: bool;
+    var phi_955_: bool;
     var phi_964_: bool;
     var phi_965_: bool;
     var phi_966_: bool;
     var phi_967_: bool;
-    var phi_971_: bool;
-    var phi_980_: lt_math_LightPoint;
-    var phi_981_: u32;
-    var phi_982_: lt_math_LevelPoint;
-    var phi_983_: bool;
-    var phi_815_: lt_math_LightPoint;
-    var phi_818_: u32;
-    var phi_820_: lt_math_LevelPoint;
-    var phi_984_: bool;
+    var phi_968_: bool;
+    var phi_969_: bool;
+    var phi_970_: bool;
+    var phi_974_: bool;
+    var phi_1001_: bool;
+    var phi_1002_: bool;
+    var phi_1003_: bool;
+    var phi_1004_: bool;
+    var phi_1005_: bool;
+    var phi_1006_: bool;
+    var phi_1007_: bool;
+    var phi_1008_: bool;
+    var phi_1012_: bool;
+    var phi_1021_: lt_math_LightPoint;
+    var phi_1022_: u32;
+    var phi_1023_: lt_math_LevelPoint;
+    var phi_1024_: bool;
+    var phi_856_: lt_math_LightPoint;
+    var phi_859_: u32;
+    var phi_861_: lt_math_LevelPoint;
+    var phi_1025_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_1024_: bool;
-    var phi_1025_: bool;
-    var phi_1026_: bool;
-    var phi_1027_: bool;
-    var phi_1031_: bool;
-    var phi_1113_: f32;
-    var phi_1229_: f32;
-    var phi_1230_: f32;
-    var phi_1233_: f32;
-    var phi_1262_: f32;
-    var phi_1267_: f32;
-    var phi_1268_: bool;
-    var phi_1269_: f32;
-    var phi_1270_: bool;
-    var phi_1274_: f32;
-    var phi_1294_: f32;
-    var phi_1299_: f32;
-    var phi_1300_: bool;
-    var phi_1301_: f32;
-    var phi_1302_: bool;
-    var phi_1306_: f32;
+    var phi_1065_: bool;
+    var phi_1066_: bool;
+    var phi_1067_: bool;
+    var phi_1068_: bool;
+    var phi_1072_: bool;
+    var phi_1154_: f32;
+    var phi_1272_: f32;
+    var phi_1273_: f32;
+    var phi_1276_: f32;
+    var phi_1305_: f32;
+    var phi_1310_: f32;
+    var phi_1311_: bool;
+    var phi_1312_: f32;
+    var phi_1313_: bool;
+    var phi_1317_: f32;
+    var phi_1337_: f32;
+    var phi_1342_: f32;
+    var phi_1343_: bool;
+    var phi_1344_: f32;
+    var phi_1345_: bool;
+    var phi_1349_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1355_: i32;
-    var phi_1360_: i32;
-    var phi_1365_: i32;
-    var phi_1370_: i32;
-    var phi_1379_: i32;
-    var phi_1384_: i32;
-    var phi_1389_: i32;
-    var phi_1394_: i32;
-    var local_4: lt_math_LevelPoint;
-    var phi_1466_: f32;
-    var phi_1468_: evaluate_Verdict;
-    var phi_1469_: bool;
-    var phi_1470_: evaluate_Verdict;
-    var phi_1471_: bool;
-    var phi_1476_: evaluate_Verdict;
-    var phi_1477_: bool;
-    var phi_1479_: evaluate_Verdict;
-    var phi_1480_: evaluate_Verdict;
-    var phi_1481_: bool;
+    var phi_1398_: i32;
+    var phi_1403_: i32;
+    var phi_1408_: i32;
+    var phi_1413_: i32;
+    var phi_1422_: i32;
+    var phi_1427_: i32;
+    var phi_1432_: i32;
+    var phi_1437_: i32;
+    var phi_1482_: evaluate_Verdict;
+    var phi_1483_: evaluate_Verdict;
+    var phi_1484_: bool;
     var phi_1485_: evaluate_Verdict;
     var phi_1486_: evaluate_Verdict;
     var phi_1487_: bool;
@@ -631,533 +626,531 @@ fn function_() {
         } else {
             return;
         }
-        let _e83 = p.member.light;
-        let _e86 = samples.member[(0u + _e72.first_primitive)].normal[0u];
-        let _e88 = global[0u];
-        if (_e86 == _e88) {
-            let _e91 = samples.member[(0u + _e72.first_primitive)].normal[1u];
-            let _e93 = global[1u];
-            if (_e91 == _e93) {
-                let _e96 = samples.member[(0u + _e72.first_primitive)].normal[2u];
-                let _e98 = global[2u];
-                phi_739_ = (_e96 == _e98);
-                phi_740_ = false;
+        let _e85 = samples.member[(0u + _e72.first_primitive)].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[(0u + _e72.first_primitive)].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[(0u + _e72.first_primitive)].normal[2u];
+                let _e97 = global[2u];
+                phi_732_ = (_e95 == _e97);
+                phi_733_ = false;
             } else {
-                phi_739_ = bool();
-                phi_740_ = true;
+                phi_732_ = bool();
+                phi_733_ = true;
             }
-            let _e101 = phi_739_;
-            let _e103 = phi_740_;
-            phi_741_ = _e101;
-            phi_742_ = _e103;
+            let _e100 = phi_732_;
+            let _e102 = phi_733_;
+            phi_734_ = _e100;
+            phi_735_ = _e102;
         } else {
-            phi_741_ = bool();
-            phi_742_ = true;
+            phi_734_ = bool();
+            phi_735_ = true;
         }
-        let _e105 = phi_741_;
-        let _e107 = phi_742_;
-        if _e107 {
-            phi_746_ = false;
+        let _e104 = phi_734_;
+        let _e106 = phi_735_;
+        if _e106 {
+            phi_739_ = false;
         } else {
-            phi_746_ = _e105;
+            phi_739_ = _e104;
         }
-        let _e109 = phi_746_;
-        if !(_e109) {
-            let _e112 = samples.member[(0u + _e72.first_primitive)].normal;
-            let _e114 = samples.member[(0u + _e72.first_primitive)].position;
-            if ((((_e112.x * (_e83.x - (_e114.x * _e83.w))) + (_e112.y * (_e83.y - (_e114.y * _e83.w)))) + (_e112.z * (_e83.z - (_e114.z * _e83.w)))) > 0f) {
-                let _e138 = samples.member[(0u + _e72.first_primitive)].flags;
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e146.unnamed.visibility, false), _e146.unnamed_1);
-                phi_790_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e152.unnamed, ((_e138 & 1u) == 0u));
+        let _e108 = phi_739_;
+        if !(_e108) {
+            let _e111 = samples.member[(0u + _e72.first_primitive)].position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = samples.member[(0u + _e72.first_primitive)].normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_810_ = true;
+                } else {
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_809_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
+                    } else {
+                        phi_809_ = false;
+                    }
+                    let _e169 = phi_809_;
+                    phi_810_ = _e169;
+                }
+                let _e171 = phi_810_;
+                if _e171 {
+                    let _e173 = samples.member[(0u + _e72.first_primitive)].flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_821_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_822_ = false;
+                } else {
+                    phi_821_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_822_ = true;
+                }
+                let _e192 = phi_821_;
+                let _e194 = phi_822_;
+                phi_823_ = _e192;
+                phi_824_ = _e194;
             } else {
-                let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
-                phi_790_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, true);
+                phi_823_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_824_ = true;
             }
-            let _e172 = phi_790_;
-            phi_794_ = _e172;
+            let _e196 = phi_823_;
+            let _e198 = phi_824_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_831_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
+            } else {
+                phi_831_ = _e196;
+            }
+            let _e215 = phi_831_;
+            phi_835_ = _e215;
         } else {
-            let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e178.unnamed.visibility, false), _e178.unnamed_1);
-            phi_794_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e184.unnamed, true);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_835_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e189 = phi_794_;
-        if _e189.unnamed_1 {
-            phi_1485_ = evaluate_Verdict(_e189.unnamed.visibility, _e189.unnamed.is_doubted);
+        let _e232 = phi_835_;
+        if _e232.unnamed_1 {
+            phi_1485_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
             phi_1486_ = evaluate_Verdict();
             phi_1487_ = true;
         } else {
-            let _e197 = samples.member[(0u + _e72.first_primitive)].position;
-            let _e199 = p.member.map_size;
-            let _e201 = (0.5f / f32(_e199));
-            let _e208 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e215 = lt_math_LightPoint(vec2<f32>(_e208.uv.x, 0f), _e208.depth, _e208.is_inside);
-            let _e219 = lt_math_LightPoint(_e215.uv, 0f, _e215.is_inside);
-            phi_814_ = lt_math_LightPoint();
-            phi_817_ = 0u;
-            phi_819_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e219.uv, _e219.depth, false));
+            let _e240 = samples.member[(0u + _e72.first_primitive)].position;
+            let _e242 = p.member.map_size;
+            let _e244 = (0.5f / f32(_e242));
+            let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
+            let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
+            phi_855_ = lt_math_LightPoint();
+            phi_858_ = 0u;
+            phi_860_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
             loop {
-                let _e226 = phi_814_;
-                let _e228 = phi_817_;
-                let _e230 = phi_819_;
-                local_1 = _e230;
-                local_2 = _e230;
-                local_3 = _e230;
-                local_4 = _e230;
-                if (_e228 < _e78) {
-                    if _e230.point.is_inside {
-                        phi_980_ = lt_math_LightPoint();
-                        phi_981_ = u32();
-                        phi_982_ = lt_math_LevelPoint();
-                        phi_983_ = false;
+                let _e269 = phi_855_;
+                let _e271 = phi_858_;
+                let _e273 = phi_860_;
+                local_1 = _e273;
+                local_2 = _e273;
+                local_3 = _e273;
+                if (_e271 < _e78) {
+                    if _e273.point.is_inside {
+                        phi_1021_ = lt_math_LightPoint();
+                        phi_1022_ = u32();
+                        phi_1023_ = lt_math_LevelPoint();
+                        phi_1024_ = false;
                     } else {
-                        if (_e228 < _e66) {
+                        if (_e271 < _e66) {
                         } else {
                             return;
                         }
-                        let _e241 = levels.member[(0u + _e228)].row_w;
-                        let _e252 = ((((_e241.x * _e197.x) + (_e241.y * _e197.y)) + (_e241.z * _e197.z)) + (_e241.w * 1f));
-                        let _e254 = levels.member[(0u + _e228)].row_x;
-                        let _e266 = (((((_e254.x * _e197.x) + (_e254.y * _e197.y)) + (_e254.z * _e197.z)) + (_e254.w * 1f)) / _e252);
-                        let _e268 = levels.member[(0u + _e228)].row_y;
-                        let _e280 = (((((_e268.x * _e197.x) + (_e268.y * _e197.y)) + (_e268.z * _e197.z)) + (_e268.w * 1f)) / _e252);
-                        let _e282 = levels.member[(0u + _e228)].row_z;
-                        let _e293 = ((((_e282.x * _e197.x) + (_e282.y * _e197.y)) + (_e282.z * _e197.z)) + (_e282.w * 1f));
-                        if (_e252 > 0f) {
-                            if (_e266 >= 0f) {
-                                phi_905_ = (_e266 <= 1f);
+                        let _e284 = levels.member[(0u + _e271)].row_w;
+                        let _e295 = ((((_e284.x * _e240.x) + (_e284.y * _e240.y)) + (_e284.z * _e240.z)) + (_e284.w * 1f));
+                        let _e297 = levels.member[(0u + _e271)].row_x;
+                        let _e309 = (((((_e297.x * _e240.x) + (_e297.y * _e240.y)) + (_e297.z * _e240.z)) + (_e297.w * 1f)) / _e295);
+                        let _e311 = levels.member[(0u + _e271)].row_y;
+                        let _e323 = (((((_e311.x * _e240.x) + (_e311.y * _e240.y)) + (_e311.z * _e240.z)) + (_e311.w * 1f)) / _e295);
+                        let _e325 = levels.member[(0u + _e271)].row_z;
+                        let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
+                        if (_e295 > 0f) {
+                            if (_e309 >= 0f) {
+                                phi_946_ = (_e309 <= 1f);
                             } else {
-                                phi_905_ = false;
+                                phi_946_ = false;
                             }
-                            let _e298 = phi_905_;
-                            if _e298 {
-                                if (_e280 >= 0f) {
-                                    phi_914_ = (_e280 <= 1f);
+                            let _e341 = phi_946_;
+                            if _e341 {
+                                if (_e323 >= 0f) {
+                                    phi_955_ = (_e323 <= 1f);
                                 } else {
-                                    phi_914_ = false;
+                                    phi_955_ = false;
                                 }
-                                let _e302 = phi_914_;
-                                if _e302 {
-                                    if (_e293 >= 0f) {
-                                        phi_923_ = (_e293 <= 1f);
+                                let _e345 = phi_955_;
+                                if _e345 {
+                                    if (_e336 >= 0f) {
+                                        phi_964_ = (_e336 <= 1f);
                                     } else {
-                                        phi_923_ = false;
+                                        phi_964_ = false;
                                     }
-                                    let _e306 = phi_923_;
-                                    phi_924_ = _e306;
-                                    phi_925_ = false;
+                                    let _e349 = phi_964_;
+                                    phi_965_ = _e349;
+                                    phi_966_ = false;
                                 } else {
-                                    phi_924_ = bool();
-                                    phi_925_ = true;
+                                    phi_965_ = bool();
+                                    phi_966_ = true;
                                 }
-                                let _e308 = phi_924_;
-                                let _e310 = phi_925_;
-                                phi_926_ = _e308;
-                                phi_927_ = _e310;
+                                let _e351 = phi_965_;
+                                let _e353 = phi_966_;
+                                phi_967_ = _e351;
+                                phi_968_ = _e353;
                             } else {
-                                phi_926_ = bool();
-                                phi_927_ = true;
+                                phi_967_ = bool();
+                                phi_968_ = true;
                             }
-                            let _e312 = phi_926_;
-                            let _e314 = phi_927_;
-                            phi_928_ = _e312;
-                            phi_929_ = _e314;
+                            let _e355 = phi_967_;
+                            let _e357 = phi_968_;
+                            phi_969_ = _e355;
+                            phi_970_ = _e357;
                         } else {
-                            phi_928_ = bool();
-                            phi_929_ = true;
+                            phi_969_ = bool();
+                            phi_970_ = true;
                         }
-                        let _e316 = phi_928_;
-                        let _e318 = phi_929_;
-                        if _e318 {
-                            phi_933_ = false;
+                        let _e359 = phi_969_;
+                        let _e361 = phi_970_;
+                        if _e361 {
+                            phi_974_ = false;
                         } else {
-                            phi_933_ = _e316;
+                            phi_974_ = _e359;
                         }
-                        let _e320 = phi_933_;
-                        if _e320 {
-                            if (_e266 >= _e201) {
-                                if (_e266 <= (1f - _e201)) {
-                                    if (_e280 >= _e201) {
-                                        phi_960_ = (_e280 <= (1f - _e201));
-                                        phi_961_ = false;
+                        let _e363 = phi_974_;
+                        if _e363 {
+                            if (_e309 >= _e244) {
+                                if (_e309 <= (1f - _e244)) {
+                                    if (_e323 >= _e244) {
+                                        phi_1001_ = (_e323 <= (1f - _e244));
+                                        phi_1002_ = false;
                                     } else {
-                                        phi_960_ = bool();
-                                        phi_961_ = true;
+                                        phi_1001_ = bool();
+                                        phi_1002_ = true;
                                     }
-                                    let _e328 = phi_960_;
-                                    let _e330 = phi_961_;
-                                    phi_962_ = _e328;
-                                    phi_963_ = _e330;
+                                    let _e371 = phi_1001_;
+                                    let _e373 = phi_1002_;
+                                    phi_1003_ = _e371;
+                                    phi_1004_ = _e373;
                                 } else {
-                                    phi_962_ = bool();
-                                    phi_963_ = true;
+                                    phi_1003_ = bool();
+                                    phi_1004_ = true;
                                 }
-                                let _e332 = phi_962_;
-                                let _e334 = phi_963_;
-                                phi_964_ = _e332;
-                                phi_965_ = _e334;
+                                let _e375 = phi_1003_;
+                                let _e377 = phi_1004_;
+                                phi_1005_ = _e375;
+                                phi_1006_ = _e377;
                             } else {
-                                phi_964_ = bool();
-                                phi_965_ = true;
+                                phi_1005_ = bool();
+                                phi_1006_ = true;
                             }
-                            let _e336 = phi_964_;
-                            let _e338 = phi_965_;
-                            phi_966_ = _e336;
-                            phi_967_ = _e338;
+                            let _e379 = phi_1005_;
+                            let _e381 = phi_1006_;
+                            phi_1007_ = _e379;
+                            phi_1008_ = _e381;
                         } else {
-                            phi_966_ = bool();
-                            phi_967_ = true;
+                            phi_1007_ = bool();
+                            phi_1008_ = true;
                         }
-                        let _e340 = phi_966_;
-                        let _e342 = phi_967_;
-                        if _e342 {
-                            phi_971_ = false;
+                        let _e383 = phi_1007_;
+                        let _e385 = phi_1008_;
+                        if _e385 {
+                            phi_1012_ = false;
                         } else {
-                            phi_971_ = _e340;
+                            phi_1012_ = _e383;
                         }
-                        let _e344 = phi_971_;
-                        let _e351 = lt_math_LightPoint(vec2<f32>(_e266, _e226.uv.y), _e226.depth, _e226.is_inside);
-                        let _e358 = lt_math_LightPoint(vec2<f32>(_e351.uv.x, _e280), _e351.depth, _e351.is_inside);
-                        let _e362 = lt_math_LightPoint(_e358.uv, _e293, _e358.is_inside);
-                        let _e366 = lt_math_LightPoint(_e362.uv, _e362.depth, _e344);
-                        phi_980_ = _e366;
-                        phi_981_ = (_e228 + 1u);
-                        phi_982_ = lt_math_LevelPoint(_e228, _e366);
-                        phi_983_ = true;
+                        let _e387 = phi_1012_;
+                        let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
+                        let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
+                        let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
+                        let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
+                        phi_1021_ = _e409;
+                        phi_1022_ = (_e271 + 1u);
+                        phi_1023_ = lt_math_LevelPoint(_e271, _e409);
+                        phi_1024_ = true;
                     }
-                    let _e370 = phi_980_;
-                    let _e372 = phi_981_;
-                    let _e374 = phi_982_;
-                    let _e376 = phi_983_;
-                    phi_815_ = _e370;
-                    phi_818_ = _e372;
-                    phi_820_ = _e374;
-                    phi_984_ = _e376;
+                    let _e413 = phi_1021_;
+                    let _e415 = phi_1022_;
+                    let _e417 = phi_1023_;
+                    let _e419 = phi_1024_;
+                    phi_856_ = _e413;
+                    phi_859_ = _e415;
+                    phi_861_ = _e417;
+                    phi_1025_ = _e419;
                 } else {
-                    phi_815_ = lt_math_LightPoint();
-                    phi_818_ = u32();
-                    phi_820_ = lt_math_LevelPoint();
-                    phi_984_ = false;
+                    phi_856_ = lt_math_LightPoint();
+                    phi_859_ = u32();
+                    phi_861_ = lt_math_LevelPoint();
+                    phi_1025_ = false;
                 }
-                let _e378 = phi_815_;
-                let _e380 = phi_818_;
-                let _e382 = phi_820_;
-                let _e384 = phi_984_;
+                let _e421 = phi_856_;
+                let _e423 = phi_859_;
+                let _e425 = phi_861_;
+                let _e427 = phi_1025_;
                 continue;
                 continuing {
-                    phi_814_ = _e378;
-                    phi_817_ = _e380;
-                    phi_819_ = _e382;
-                    break if !(_e384);
+                    phi_855_ = _e421;
+                    phi_858_ = _e423;
+                    phi_860_ = _e425;
+                    break if !(_e427);
                 }
             }
-            let _e387 = local_1;
-            if _e387.point.is_inside {
+            let _e430 = local_1;
+            if _e430.point.is_inside {
                 if (0f > 0f) {
-                    let _e393 = local_2;
-                    if (_e393.level < _e66) {
+                    let _e436 = local_2;
+                    if (_e436.level < _e66) {
                     } else {
                         return;
                     }
-                    let _e398 = levels.member[(0u + _e393.level)];
-                    let _e404 = global[0u];
-                    if (_e398.row_w.x == _e404) {
-                        let _e407 = global[1u];
-                        if (_e398.row_w.y == _e407) {
-                            let _e410 = global[2u];
-                            phi_1024_ = (_e398.row_w.z == _e410);
-                            phi_1025_ = false;
+                    let _e441 = levels.member[(0u + _e436.level)];
+                    let _e447 = global[0u];
+                    if (_e441.row_w.x == _e447) {
+                        let _e450 = global[1u];
+                        if (_e441.row_w.y == _e450) {
+                            let _e453 = global[2u];
+                            phi_1065_ = (_e441.row_w.z == _e453);
+                            phi_1066_ = false;
                         } else {
-                            phi_1024_ = bool();
-                            phi_1025_ = true;
+                            phi_1065_ = bool();
+                            phi_1066_ = true;
                         }
-                        let _e413 = phi_1024_;
-                        let _e415 = phi_1025_;
-                        phi_1026_ = _e413;
-                        phi_1027_ = _e415;
+                        let _e456 = phi_1065_;
+                        let _e458 = phi_1066_;
+                        phi_1067_ = _e456;
+                        phi_1068_ = _e458;
                     } else {
-                        phi_1026_ = bool();
-                        phi_1027_ = true;
+                        phi_1067_ = bool();
+                        phi_1068_ = true;
                     }
-                    let _e417 = phi_1026_;
-                    let _e419 = phi_1027_;
-                    if _e419 {
-                        phi_1031_ = false;
+                    let _e460 = phi_1067_;
+                    let _e462 = phi_1068_;
+                    if _e462 {
+                        phi_1072_ = false;
                     } else {
-                        phi_1031_ = _e417;
+                        phi_1072_ = _e460;
                     }
-                    let _e421 = phi_1031_;
-                    if _e421 {
-                        let _e423 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e425 = p.member.map_size;
-                        let _e495 = ((abs(((((_e398.row_x.x * _e423.x) + (_e398.row_x.y * _e423.y)) + (_e398.row_x.z * _e423.z)) / (((_e398.row_x.x * _e398.row_x.x) + (_e398.row_x.y * _e398.row_x.y)) + (_e398.row_x.z * _e398.row_x.z)))) + abs(((((_e398.row_y.x * _e423.x) + (_e398.row_y.y * _e423.y)) + (_e398.row_y.z * _e423.z)) / (((_e398.row_y.x * _e398.row_y.x) + (_e398.row_y.y * _e398.row_y.y)) + (_e398.row_y.z * _e398.row_y.z))))) / (abs(((((_e398.row_z.x * _e423.x) + (_e398.row_z.y * _e423.y)) + (_e398.row_z.z * _e423.z)) / (((_e398.row_z.x * _e398.row_z.x) + (_e398.row_z.y * _e398.row_z.y)) + (_e398.row_z.z * _e398.row_z.z)))) * f32(_e425)));
-                        if (_e495 < 0.002f) {
-                            phi_1113_ = _e495;
+                    let _e464 = phi_1072_;
+                    if _e464 {
+                        let _e466 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e468 = p.member.map_size;
+                        let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
+                        if (_e538 < 0.002f) {
+                            phi_1154_ = _e538;
                         } else {
-                            phi_1113_ = 0.002f;
+                            phi_1154_ = 0.002f;
                         }
-                        let _e498 = phi_1113_;
-                        phi_1230_ = _e498;
+                        let _e541 = phi_1154_;
+                        phi_1273_ = _e541;
                     } else {
-                        let _e500 = p.member.map_size;
-                        let _e506 = samples.member[(0u + _e72.first_primitive)].position;
-                        let _e517 = ((((_e398.row_w.x * _e506.x) + (_e398.row_w.y * _e506.y)) + (_e398.row_w.z * _e506.z)) + _e398.row_w.w);
-                        let _e530 = ((_e398.row_x.x - (_e398.row_w.x * _e387.point.uv.x)) / _e517);
-                        let _e531 = ((_e398.row_x.y - (_e398.row_w.y * _e387.point.uv.x)) / _e517);
-                        let _e532 = ((_e398.row_x.z - (_e398.row_w.z * _e387.point.uv.x)) / _e517);
-                        let _e545 = ((_e398.row_y.x - (_e398.row_w.x * _e387.point.uv.y)) / _e517);
-                        let _e546 = ((_e398.row_y.y - (_e398.row_w.y * _e387.point.uv.y)) / _e517);
-                        let _e547 = ((_e398.row_y.z - (_e398.row_w.z * _e387.point.uv.y)) / _e517);
-                        let _e553 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e558 = ((_e546 * _e553.z) - (_e553.y * _e547));
-                        let _e563 = ((_e547 * _e553.x) - (_e553.z * _e545));
-                        let _e568 = ((_e545 * _e553.y) - (_e553.x * _e546));
-                        let _e570 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e575 = ((_e531 * _e570.z) - (_e570.y * _e532));
-                        let _e580 = ((_e532 * _e570.x) - (_e570.z * _e530));
-                        let _e585 = ((_e530 * _e570.y) - (_e570.x * _e531));
-                        let _e612 = ((abs(((((_e398.row_z.x * _e558) + (_e398.row_z.y * _e563)) + (_e398.row_z.z * _e568)) / (((_e530 * _e558) + (_e531 * _e563)) + (_e532 * _e568)))) + abs(((((_e398.row_z.x * _e575) + (_e398.row_z.y * _e580)) + (_e398.row_z.z * _e585)) / (((_e545 * _e575) + (_e546 * _e580)) + (_e547 * _e585))))) / f32(_e500));
-                        if (_e612 < 0.002f) {
-                            phi_1229_ = _e612;
+                        let _e543 = p.member.map_size;
+                        let _e549 = samples.member[(0u + _e72.first_primitive)].position;
+                        let _e560 = ((((_e441.row_w.x * _e549.x) + (_e441.row_w.y * _e549.y)) + (_e441.row_w.z * _e549.z)) + _e441.row_w.w);
+                        let _e573 = ((_e441.row_x.x - (_e441.row_w.x * _e430.point.uv.x)) / _e560);
+                        let _e574 = ((_e441.row_x.y - (_e441.row_w.y * _e430.point.uv.x)) / _e560);
+                        let _e575 = ((_e441.row_x.z - (_e441.row_w.z * _e430.point.uv.x)) / _e560);
+                        let _e588 = ((_e441.row_y.x - (_e441.row_w.x * _e430.point.uv.y)) / _e560);
+                        let _e589 = ((_e441.row_y.y - (_e441.row_w.y * _e430.point.uv.y)) / _e560);
+                        let _e590 = ((_e441.row_y.z - (_e441.row_w.z * _e430.point.uv.y)) / _e560);
+                        let _e596 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e601 = ((_e589 * _e596.z) - (_e596.y * _e590));
+                        let _e606 = ((_e590 * _e596.x) - (_e596.z * _e588));
+                        let _e611 = ((_e588 * _e596.y) - (_e596.x * _e589));
+                        let _e613 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e618 = ((_e574 * _e613.z) - (_e613.y * _e575));
+                        let _e623 = ((_e575 * _e613.x) - (_e613.z * _e573));
+                        let _e628 = ((_e573 * _e613.y) - (_e613.x * _e574));
+                        let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
+                        let _e657 = (16f / f32(_e543));
+                        if (_e655 < _e657) {
+                            phi_1272_ = _e655;
                         } else {
-                            phi_1229_ = 0.002f;
+                            phi_1272_ = _e657;
                         }
-                        let _e615 = phi_1229_;
-                        phi_1230_ = _e615;
+                        let _e660 = phi_1272_;
+                        phi_1273_ = _e660;
                     }
-                    let _e617 = phi_1230_;
-                    phi_1233_ = (_e387.point.depth - (0f * _e617));
+                    let _e662 = phi_1273_;
+                    phi_1276_ = (_e430.point.depth - (0f * _e662));
                 } else {
-                    phi_1233_ = _e387.point.depth;
+                    phi_1276_ = _e430.point.depth;
                 }
-                let _e621 = phi_1233_;
-                let _e627 = p.member.map_size;
-                let _e628 = f32(_e627);
-                let _e631 = ((_e387.point.uv.x * _e628) - 0.5f);
-                let _e632 = ((_e387.point.uv.y * _e628) - 0.5f);
-                if (_e631 > -8388608f) {
-                    let _e644 = f32(select(0i, select(select(i32(_e631), i32(-2147483648), (_e631 < bitcast<f32>(3472883712u))), 2147483647i, (_e631 > bitcast<f32>(1325400063u))), (_e631 == _e631)));
-                    if (_e644 > _e631) {
-                        phi_1262_ = 1f;
+                let _e666 = phi_1276_;
+                let _e672 = p.member.map_size;
+                let _e673 = f32(_e672);
+                let _e676 = ((_e430.point.uv.x * _e673) - 0.5f);
+                let _e677 = ((_e430.point.uv.y * _e673) - 0.5f);
+                if (_e676 > -8388608f) {
+                    let _e689 = f32(select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < bitcast<f32>(3472883712u))), 2147483647i, (_e676 > bitcast<f32>(1325400063u))), (_e676 == _e676)));
+                    if (_e689 > _e676) {
+                        phi_1305_ = 1f;
                     } else {
-                        phi_1262_ = 0f;
+                        phi_1305_ = 0f;
                     }
-                    let _e647 = phi_1262_;
-                    if (_e631 < 8388608f) {
-                        phi_1267_ = (_e644 - _e647);
-                        phi_1268_ = false;
+                    let _e692 = phi_1305_;
+                    if (_e676 < 8388608f) {
+                        phi_1310_ = (_e689 - _e692);
+                        phi_1311_ = false;
                     } else {
-                        phi_1267_ = f32();
-                        phi_1268_ = true;
+                        phi_1310_ = f32();
+                        phi_1311_ = true;
                     }
-                    let _e650 = phi_1267_;
-                    let _e652 = phi_1268_;
-                    phi_1269_ = _e650;
-                    phi_1270_ = _e652;
+                    let _e695 = phi_1310_;
+                    let _e697 = phi_1311_;
+                    phi_1312_ = _e695;
+                    phi_1313_ = _e697;
                 } else {
-                    phi_1269_ = f32();
-                    phi_1270_ = true;
+                    phi_1312_ = f32();
+                    phi_1313_ = true;
                 }
-                let _e654 = phi_1269_;
-                let _e656 = phi_1270_;
-                if _e656 {
-                    phi_1274_ = _e631;
+                let _e699 = phi_1312_;
+                let _e701 = phi_1313_;
+                if _e701 {
+                    phi_1317_ = _e676;
                 } else {
-                    phi_1274_ = _e654;
+                    phi_1317_ = _e699;
                 }
-                let _e658 = phi_1274_;
-                if (_e632 > -8388608f) {
-                    let _e670 = f32(select(0i, select(select(i32(_e632), i32(-2147483648), (_e632 < bitcast<f32>(3472883712u))), 2147483647i, (_e632 > bitcast<f32>(1325400063u))), (_e632 == _e632)));
-                    if (_e670 > _e632) {
-                        phi_1294_ = 1f;
+                let _e703 = phi_1317_;
+                if (_e677 > -8388608f) {
+                    let _e715 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
+                    if (_e715 > _e677) {
+                        phi_1337_ = 1f;
                     } else {
-                        phi_1294_ = 0f;
+                        phi_1337_ = 0f;
                     }
-                    let _e673 = phi_1294_;
-                    if (_e632 < 8388608f) {
-                        phi_1299_ = (_e670 - _e673);
-                        phi_1300_ = false;
+                    let _e718 = phi_1337_;
+                    if (_e677 < 8388608f) {
+                        phi_1342_ = (_e715 - _e718);
+                        phi_1343_ = false;
                     } else {
-                        phi_1299_ = f32();
-                        phi_1300_ = true;
+                        phi_1342_ = f32();
+                        phi_1343_ = true;
                     }
-                    let _e676 = phi_1299_;
-                    let _e678 = phi_1300_;
-                    phi_1301_ = _e676;
-                    phi_1302_ = _e678;
+                    let _e721 = phi_1342_;
+                    let _e723 = phi_1343_;
+                    phi_1344_ = _e721;
+                    phi_1345_ = _e723;
                 } else {
-                    phi_1301_ = f32();
-                    phi_1302_ = true;
+                    phi_1344_ = f32();
+                    phi_1345_ = true;
                 }
-                let _e680 = phi_1301_;
-                let _e682 = phi_1302_;
-                if _e682 {
-                    phi_1306_ = _e632;
+                let _e725 = phi_1344_;
+                let _e727 = phi_1345_;
+                if _e727 {
+                    phi_1349_ = _e677;
                 } else {
-                    phi_1306_ = _e680;
+                    phi_1349_ = _e725;
                 }
-                let _e684 = phi_1306_;
-                let _e685 = (_e631 - _e658);
-                let _e686 = (_e632 - _e684);
-                let _e695 = select(0i, select(select(i32(_e658), i32(-2147483648), (_e658 < bitcast<f32>(3472883712u))), 2147483647i, (_e658 > bitcast<f32>(1325400063u))), (_e658 == _e658));
-                let _e704 = select(0i, select(select(i32(_e684), i32(-2147483648), (_e684 < bitcast<f32>(3472883712u))), 2147483647i, (_e684 > bitcast<f32>(1325400063u))), (_e684 == _e684));
-                let _e715 = p.member.test;
-                let _e716 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e715);
-                let _e718 = p.member.map_size;
-                let _e720 = local_3;
-                local = _e716;
-                let _e723 = ((_e720.level * _e718) * _e718);
-                let _e725 = (bitcast<i32>(_e718) - 1i);
-                if (_e695 > 0i) {
-                    phi_1355_ = _e695;
-                } else {
-                    phi_1355_ = 0i;
-                }
-                let _e728 = phi_1355_;
-                if (_e704 > 0i) {
-                    phi_1360_ = _e704;
-                } else {
-                    phi_1360_ = 0i;
-                }
-                let _e731 = phi_1360_;
-                if (_e728 < _e725) {
-                    phi_1365_ = _e728;
-                } else {
-                    phi_1365_ = _e725;
-                }
-                let _e734 = phi_1365_;
-                if (_e731 < _e725) {
-                    phi_1370_ = _e731;
-                } else {
-                    phi_1370_ = _e725;
-                }
-                let _e737 = phi_1370_;
-                let _e738 = bitcast<u32>(_e734);
-                let _e740 = (_e695 + 1i);
-                let _e741 = (_e704 + 1i);
+                let _e729 = phi_1349_;
+                let _e730 = (_e676 - _e703);
+                let _e731 = (_e677 - _e729);
+                let _e740 = select(0i, select(select(i32(_e703), i32(-2147483648), (_e703 < bitcast<f32>(3472883712u))), 2147483647i, (_e703 > bitcast<f32>(1325400063u))), (_e703 == _e703));
+                let _e749 = select(0i, select(select(i32(_e729), i32(-2147483648), (_e729 < bitcast<f32>(3472883712u))), 2147483647i, (_e729 > bitcast<f32>(1325400063u))), (_e729 == _e729));
+                let _e760 = p.member.test;
+                let _e761 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e760);
+                let _e763 = p.member.map_size;
+                let _e765 = local_3;
+                local = _e761;
+                let _e768 = ((_e765.level * _e763) * _e763);
+                let _e770 = (bitcast<i32>(_e763) - 1i);
                 if (_e740 > 0i) {
-                    phi_1379_ = _e740;
+                    phi_1398_ = _e740;
                 } else {
-                    phi_1379_ = 0i;
+                    phi_1398_ = 0i;
                 }
-                let _e744 = phi_1379_;
-                if (_e741 > 0i) {
-                    phi_1384_ = _e741;
+                let _e773 = phi_1398_;
+                if (_e749 > 0i) {
+                    phi_1403_ = _e749;
                 } else {
-                    phi_1384_ = 0i;
+                    phi_1403_ = 0i;
                 }
-                let _e747 = phi_1384_;
-                if (_e744 < _e725) {
-                    phi_1389_ = _e744;
+                let _e776 = phi_1403_;
+                if (_e773 < _e770) {
+                    phi_1408_ = _e773;
                 } else {
-                    phi_1389_ = _e725;
+                    phi_1408_ = _e770;
                 }
-                let _e750 = phi_1389_;
-                if (_e747 < _e725) {
-                    phi_1394_ = _e747;
+                let _e779 = phi_1408_;
+                if (_e776 < _e770) {
+                    phi_1413_ = _e776;
                 } else {
-                    phi_1394_ = _e725;
+                    phi_1413_ = _e770;
                 }
-                let _e753 = phi_1394_;
-                let _e754 = bitcast<u32>(_e750);
-                let _e756 = (bitcast<u32>(_e737) * _e718);
-                let _e757 = (bitcast<u32>(_e753) * _e718);
-                let _e762 = ((_e756 + _e738) + _e723);
-                let _e763 = ((_e756 + _e754) + _e723);
-                let _e764 = ((_e757 + _e738) + _e723);
-                let _e765 = ((_e757 + _e754) + _e723);
-                if (_e762 < _e60) {
+                let _e782 = phi_1413_;
+                let _e783 = bitcast<u32>(_e779);
+                let _e785 = (_e740 + 1i);
+                let _e786 = (_e749 + 1i);
+                if (_e785 > 0i) {
+                    phi_1422_ = _e785;
+                } else {
+                    phi_1422_ = 0i;
+                }
+                let _e789 = phi_1422_;
+                if (_e786 > 0i) {
+                    phi_1427_ = _e786;
+                } else {
+                    phi_1427_ = 0i;
+                }
+                let _e792 = phi_1427_;
+                if (_e789 < _e770) {
+                    phi_1432_ = _e789;
+                } else {
+                    phi_1432_ = _e770;
+                }
+                let _e795 = phi_1432_;
+                if (_e792 < _e770) {
+                    phi_1437_ = _e792;
+                } else {
+                    phi_1437_ = _e770;
+                }
+                let _e798 = phi_1437_;
+                let _e799 = bitcast<u32>(_e795);
+                let _e801 = (bitcast<u32>(_e782) * _e763);
+                let _e802 = (bitcast<u32>(_e798) * _e763);
+                let _e807 = ((_e801 + _e783) + _e768);
+                let _e808 = ((_e801 + _e799) + _e768);
+                let _e809 = ((_e802 + _e783) + _e768);
+                let _e810 = ((_e802 + _e799) + _e768);
+                if (_e807 < _e60) {
                 } else {
                     return;
                 }
-                let _e769 = map.member[(0u + _e762)];
-                if (_e763 < _e60) {
+                let _e814 = map.member[(0u + _e807)];
+                if (_e808 < _e60) {
                 } else {
                     return;
                 }
-                let _e773 = map.member[(0u + _e763)];
-                if (_e764 < _e60) {
+                let _e818 = map.member[(0u + _e808)];
+                if (_e809 < _e60) {
                 } else {
                     return;
                 }
-                let _e777 = map.member[(0u + _e764)];
-                if (_e765 < _e60) {
+                let _e822 = map.member[(0u + _e809)];
+                if (_e810 < _e60) {
                 } else {
                     return;
                 }
-                let _e781 = map.member[(0u + _e765)];
-                let _e783 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e769, _e773, _e777, _e781), vec4<f32>(((1f - _e685) * (1f - _e686)), (_e685 * (1f - _e686)), ((1f - _e685) * _e686), (_e685 * _e686)), _e621);
-                let _e785 = p.member.fade_uv;
-                if (_e785 > 0f) {
-                    let _e788 = local_4;
-                    if ((_e788.level + 1u) == _e78) {
-                        let _e797 = p.member.fade_uv;
-                        let _e799 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e387.point.uv.x, (1f - _e387.point.uv.x));
-                        let _e801 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e387.point.uv.y, (1f - _e387.point.uv.y));
-                        let _e802 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e799, _e801);
-                        if (_e802 < _e797) {
-                            phi_1466_ = (1f - ((1f - _e783) * (_e802 / _e797)));
-                        } else {
-                            phi_1466_ = _e783;
-                        }
-                        let _e809 = phi_1466_;
-                        phi_1468_ = evaluate_Verdict(_e809, false);
-                        phi_1469_ = false;
-                    } else {
-                        phi_1468_ = evaluate_Verdict();
-                        phi_1469_ = true;
-                    }
-                    let _e812 = phi_1468_;
-                    let _e814 = phi_1469_;
-                    phi_1470_ = _e812;
-                    phi_1471_ = _e814;
-                } else {
-                    phi_1470_ = evaluate_Verdict();
-                    phi_1471_ = true;
-                }
-                let _e816 = phi_1470_;
-                let _e818 = phi_1471_;
-                if _e818 {
-                    phi_1476_ = evaluate_Verdict(_e783, false);
-                    phi_1477_ = false;
-                } else {
-                    phi_1476_ = evaluate_Verdict();
-                    phi_1477_ = true;
-                }
-                let _e821 = phi_1476_;
-                let _e823 = phi_1477_;
-                phi_1479_ = _e821;
-                phi_1480_ = _e816;
-                phi_1481_ = _e823;
+                let _e826 = map.member[(0u + _e810)];
+                let _e828 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e814, _e818, _e822, _e826), vec4<f32>(((1f - _e730) * (1f - _e731)), (_e730 * (1f - _e731)), ((1f - _e730) * _e731), (_e730 * _e731)), _e666);
+                phi_1482_ = evaluate_Verdict(_e828, false);
+                phi_1483_ = evaluate_Verdict();
+                phi_1484_ = false;
             } else {
-                phi_1479_ = evaluate_Verdict();
-                phi_1480_ = evaluate_Verdict(1f, false);
-                phi_1481_ = true;
+                phi_1482_ = evaluate_Verdict();
+                phi_1483_ = evaluate_Verdict(1f, false);
+                phi_1484_ = true;
             }
-            let _e826 = phi_1479_;
-            let _e828 = phi_1480_;
-            let _e830 = phi_1481_;
-            if _e830 {
-            }
-            phi_1485_ = _e828;
-            phi_1486_ = _e826;
-            phi_1487_ = _e830;
+            let _e832 = phi_1482_;
+            let _e834 = phi_1483_;
+            let _e836 = phi_1484_;
+            phi_1485_ = _e834;
+            phi_1486_ = _e832;
+            phi_1487_ = _e836;
         }
-        let _e832 = phi_1485_;
-        let _e834 = phi_1486_;
-        let _e836 = phi_1487_;
-        if _e836 {
-            phi_1491_ = _e832;
+        let _e838 = phi_1485_;
+        let _e840 = phi_1486_;
+        let _e842 = phi_1487_;
+        if _e842 {
+            phi_1491_ = _e838;
         } else {
-            phi_1491_ = _e834;
+            phi_1491_ = _e840;
         }
-        let _e838 = phi_1491_;
+        let _e844 = phi_1491_;
         if (_e72.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e72.first_primitive)] = _e838.visibility;
+        visibility.member[(0u + _e72.first_primitive)] = _e844.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_28 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,18 +52,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_32 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -67,43 +76,43 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_32;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(2) 
-var<storage> map: type_28;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_142_: lt_bvh_traverse_Tree;
-    var phi_143_: bool;
-    var phi_144_: lt_bvh_traverse_Tree;
-    var phi_145_: bool;
-    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_150_: bool;
+    var phi_155_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_142_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_143_ = false;
+            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_148_ = false;
         } else {
-            phi_142_ = lt_bvh_traverse_Tree();
-            phi_143_ = true;
+            phi_147_ = lt_bvh_traverse_Tree();
+            phi_148_ = true;
         }
-        let _e59 = phi_142_;
-        let _e61 = phi_143_;
-        phi_144_ = _e59;
-        phi_145_ = _e61;
+        let _e59 = phi_147_;
+        let _e61 = phi_148_;
+        phi_149_ = _e59;
+        phi_150_ = _e61;
     } else {
-        phi_144_ = lt_bvh_traverse_Tree();
-        phi_145_ = true;
+        phi_149_ = lt_bvh_traverse_Tree();
+        phi_150_ = true;
     }
-    let _e63 = phi_144_;
-    let _e65 = phi_145_;
+    let _e63 = phi_149_;
+    let _e65 = phi_150_;
     if _e65 {
-        phi_150_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_150_ = _e63;
+        phi_155_ = _e63;
     }
-    let _e70 = phi_150_;
+    let _e70 = phi_155_;
     return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
@@ -112,186 +121,192 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_170_: bool;
-    var phi_174_: f32;
+    var phi_175_: bool;
+    var phi_179_: f32;
 
     let _e47 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_170_ = true;
+        phi_175_ = true;
     } else {
         let _e51 = (84f < _e47);
         if _e51 {
         }
-        phi_170_ = _e51;
+        phi_175_ = _e51;
     }
-    let _e53 = phi_170_;
+    let _e53 = phi_175_;
     if _e53 {
-        phi_174_ = 84f;
+        phi_179_ = 84f;
     } else {
-        phi_174_ = _e47;
+        phi_179_ = _e47;
     }
-    let _e55 = phi_174_;
+    let _e55 = phi_179_;
     return _e55;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_765_: f32;
-    var phi_766_: f32;
-    var phi_767_: f32;
-    var phi_782_: f32;
-    var phi_787_: f32;
-    var phi_809_: f32;
-    var phi_814_: f32;
-    var phi_815_: bool;
-    var phi_816_: f32;
-    var phi_817_: bool;
-    var phi_821_: f32;
-    var phi_859_: f32;
-    var phi_875_: f32;
-    var phi_876_: f32;
-    var phi_877_: f32;
+    var phi_817_: f32;
+    var phi_818_: f32;
+    var phi_819_: f32;
+    var phi_834_: f32;
+    var phi_839_: f32;
+    var phi_861_: f32;
+    var phi_866_: f32;
+    var phi_867_: bool;
+    var phi_868_: f32;
+    var phi_869_: bool;
+    var phi_873_: f32;
+    var phi_911_: f32;
+    var phi_927_: f32;
+    var phi_928_: f32;
+    var phi_929_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_767_ = param_7;
+        phi_819_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_766_ = 0f;
+            phi_818_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_765_ = 1f;
+                phi_817_ = 1f;
             } else {
-                phi_765_ = param_7;
+                phi_817_ = param_7;
             }
-            let _e55 = phi_765_;
-            phi_766_ = _e55;
+            let _e55 = phi_817_;
+            phi_818_ = _e55;
         }
-        let _e57 = phi_766_;
-        phi_767_ = _e57;
+        let _e57 = phi_818_;
+        phi_819_ = _e57;
     }
-    let _e59 = phi_767_;
+    let _e59 = phi_819_;
     let _e61 = _lt_math_esm_Esm_clamped_exponent(param_5);
     let _e63 = (_e61 * (1f - _e59));
     if ((bitcast<u32>(_e63) & 2147483647u) > 2139095040u) {
-        phi_859_ = _e63;
+        phi_911_ = _e63;
     } else {
         if (_e63 < -87f) {
-            phi_782_ = -87f;
+            phi_834_ = -87f;
         } else {
-            phi_782_ = _e63;
+            phi_834_ = _e63;
         }
-        let _e69 = phi_782_;
+        let _e69 = phi_834_;
         if (_e69 > 88f) {
-            phi_787_ = 88f;
+            phi_839_ = 88f;
         } else {
-            phi_787_ = _e69;
+            phi_839_ = _e69;
         }
-        let _e72 = phi_787_;
+        let _e72 = phi_839_;
         let _e74 = ((_e72 * 1.442695f) + 0.5f);
         if (_e74 > -8388608f) {
             let _e86 = f32(select(0i, select(select(i32(_e74), i32(-2147483648), (_e74 < bitcast<f32>(3472883712u))), 2147483647i, (_e74 > bitcast<f32>(1325400063u))), (_e74 == _e74)));
             if (_e86 > _e74) {
-                phi_809_ = 1f;
+                phi_861_ = 1f;
             } else {
-                phi_809_ = 0f;
+                phi_861_ = 0f;
             }
-            let _e89 = phi_809_;
+            let _e89 = phi_861_;
             if (_e74 < 8388608f) {
-                phi_814_ = (_e86 - _e89);
-                phi_815_ = false;
+                phi_866_ = (_e86 - _e89);
+                phi_867_ = false;
             } else {
-                phi_814_ = f32();
-                phi_815_ = true;
+                phi_866_ = f32();
+                phi_867_ = true;
             }
-            let _e92 = phi_814_;
-            let _e94 = phi_815_;
-            phi_816_ = _e92;
-            phi_817_ = _e94;
+            let _e92 = phi_866_;
+            let _e94 = phi_867_;
+            phi_868_ = _e92;
+            phi_869_ = _e94;
         } else {
-            phi_816_ = f32();
-            phi_817_ = true;
+            phi_868_ = f32();
+            phi_869_ = true;
         }
-        let _e96 = phi_816_;
-        let _e98 = phi_817_;
+        let _e96 = phi_868_;
+        let _e98 = phi_869_;
         if _e98 {
-            phi_821_ = _e74;
+            phi_873_ = _e74;
         } else {
-            phi_821_ = _e96;
+            phi_873_ = _e96;
         }
-        let _e100 = phi_821_;
+        let _e100 = phi_873_;
         let _e104 = ((_e72 - (_e100 * 0.69314575f)) - (_e100 * 0.0000014286068f));
-        phi_859_ = ((((((((((((((((1f / 5040f) * _e104) + (1f / 720f)) * _e104) + (1f / 120f)) * _e104) + (1f / 24f)) * _e104) + (1f / 6f)) * _e104) + 0.5f) * _e104) + 1f) * _e104) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e100), i32(-2147483648), (_e100 < bitcast<f32>(3472883712u))), 2147483647i, (_e100 > bitcast<f32>(1325400063u))), (_e100 == _e100)) + 127i)) << bitcast<u32>(23i))));
+        phi_911_ = ((((((((((((((((1f / 5040f) * _e104) + (1f / 720f)) * _e104) + (1f / 120f)) * _e104) + (1f / 24f)) * _e104) + (1f / 6f)) * _e104) + 0.5f) * _e104) + 1f) * _e104) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e100), i32(-2147483648), (_e100 < bitcast<f32>(3472883712u))), 2147483647i, (_e100 > bitcast<f32>(1325400063u))), (_e100 == _e100)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e140 = phi_859_;
+    let _e140 = phi_911_;
     let _e141 = (param_6.x * _e140);
     if ((bitcast<u32>(_e141) & 2147483647u) > 2139095040u) {
-        phi_877_ = _e141;
+        phi_929_ = _e141;
     } else {
         if (_e141 < 0f) {
-            phi_876_ = 0f;
+            phi_928_ = 0f;
         } else {
             if (_e141 > 1f) {
-                phi_875_ = 1f;
+                phi_927_ = 1f;
             } else {
-                phi_875_ = _e141;
+                phi_927_ = _e141;
             }
-            let _e148 = phi_875_;
-            phi_876_ = _e148;
+            let _e148 = phi_927_;
+            phi_928_ = _e148;
         }
-        let _e150 = phi_876_;
-        phi_877_ = _e150;
+        let _e150 = phi_928_;
+        phi_929_ = _e150;
     }
-    let _e152 = phi_877_;
+    let _e152 = phi_929_;
     return _e152;
 }
 
 fn function_() {
     var local: f32;
-    var phi_231_: bool;
-    var phi_232_: bool;
-    var phi_233_: bool;
-    var phi_234_: bool;
+    var phi_235_: bool;
+    var phi_236_: bool;
+    var phi_237_: bool;
     var phi_238_: bool;
-    var phi_282_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_286_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_360_: bool;
-    var phi_369_: bool;
-    var phi_378_: bool;
-    var phi_379_: bool;
-    var phi_380_: bool;
-    var phi_381_: bool;
-    var phi_382_: bool;
-    var phi_383_: bool;
-    var phi_384_: bool;
-    var phi_388_: bool;
-    var phi_478_: f32;
-    var phi_481_: f32;
-    var phi_510_: f32;
-    var phi_515_: f32;
-    var phi_516_: bool;
-    var phi_517_: f32;
-    var phi_518_: bool;
-    var phi_522_: f32;
-    var phi_542_: f32;
-    var phi_547_: f32;
-    var phi_548_: bool;
-    var phi_549_: f32;
-    var phi_550_: bool;
-    var phi_554_: f32;
-    var phi_602_: i32;
-    var phi_607_: i32;
-    var phi_612_: i32;
-    var phi_617_: i32;
-    var phi_626_: i32;
-    var phi_631_: i32;
-    var phi_636_: i32;
-    var phi_641_: i32;
-    var phi_730_: evaluate_Verdict;
-    var phi_731_: evaluate_Verdict;
-    var phi_732_: bool;
-    var phi_733_: evaluate_Verdict;
-    var phi_734_: evaluate_Verdict;
-    var phi_735_: bool;
-    var phi_739_: evaluate_Verdict;
+    var phi_242_: bool;
+    var phi_312_: bool;
+    var phi_313_: bool;
+    var phi_324_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_325_: bool;
+    var phi_326_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_327_: bool;
+    var phi_334_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_338_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_412_: bool;
+    var phi_421_: bool;
+    var phi_430_: bool;
+    var phi_431_: bool;
+    var phi_432_: bool;
+    var phi_433_: bool;
+    var phi_434_: bool;
+    var phi_435_: bool;
+    var phi_436_: bool;
+    var phi_440_: bool;
+    var phi_530_: f32;
+    var phi_533_: f32;
+    var phi_562_: f32;
+    var phi_567_: f32;
+    var phi_568_: bool;
+    var phi_569_: f32;
+    var phi_570_: bool;
+    var phi_574_: f32;
+    var phi_594_: f32;
+    var phi_599_: f32;
+    var phi_600_: bool;
+    var phi_601_: f32;
+    var phi_602_: bool;
+    var phi_606_: f32;
+    var phi_654_: i32;
+    var phi_659_: i32;
+    var phi_664_: i32;
+    var phi_669_: i32;
+    var phi_678_: i32;
+    var phi_683_: i32;
+    var phi_688_: i32;
+    var phi_693_: i32;
+    var phi_782_: evaluate_Verdict;
+    var phi_783_: evaluate_Verdict;
+    var phi_784_: bool;
+    var phi_785_: evaluate_Verdict;
+    var phi_786_: evaluate_Verdict;
+    var phi_787_: bool;
+    var phi_791_: evaluate_Verdict;
 
     let _e47 = id_1;
     let _e54 = arrayLength((&map.member));
@@ -305,323 +320,362 @@ fn function_() {
             return;
         }
         let _e73 = lt_math_OneLevel(_e69);
-        let _e75 = p.member.light;
-        let _e78 = samples.member[(0u + _e63.first_primitive)].normal[0u];
-        let _e80 = global[0u];
-        if (_e78 == _e80) {
-            let _e83 = samples.member[(0u + _e63.first_primitive)].normal[1u];
-            let _e85 = global[1u];
-            if (_e83 == _e85) {
-                let _e88 = samples.member[(0u + _e63.first_primitive)].normal[2u];
-                let _e90 = global[2u];
-                phi_231_ = (_e88 == _e90);
-                phi_232_ = false;
+        let _e77 = samples.member[(0u + _e63.first_primitive)].normal[0u];
+        let _e79 = global[0u];
+        if (_e77 == _e79) {
+            let _e82 = samples.member[(0u + _e63.first_primitive)].normal[1u];
+            let _e84 = global[1u];
+            if (_e82 == _e84) {
+                let _e87 = samples.member[(0u + _e63.first_primitive)].normal[2u];
+                let _e89 = global[2u];
+                phi_235_ = (_e87 == _e89);
+                phi_236_ = false;
             } else {
-                phi_231_ = bool();
-                phi_232_ = true;
+                phi_235_ = bool();
+                phi_236_ = true;
             }
-            let _e93 = phi_231_;
-            let _e95 = phi_232_;
-            phi_233_ = _e93;
-            phi_234_ = _e95;
+            let _e92 = phi_235_;
+            let _e94 = phi_236_;
+            phi_237_ = _e92;
+            phi_238_ = _e94;
         } else {
-            phi_233_ = bool();
-            phi_234_ = true;
+            phi_237_ = bool();
+            phi_238_ = true;
         }
-        let _e97 = phi_233_;
-        let _e99 = phi_234_;
-        if _e99 {
-            phi_238_ = false;
+        let _e96 = phi_237_;
+        let _e98 = phi_238_;
+        if _e98 {
+            phi_242_ = false;
         } else {
-            phi_238_ = _e97;
+            phi_242_ = _e96;
         }
-        let _e101 = phi_238_;
-        if !(_e101) {
-            let _e104 = samples.member[(0u + _e63.first_primitive)].normal;
-            let _e106 = samples.member[(0u + _e63.first_primitive)].position;
-            if ((((_e104.x * (_e75.x - (_e106.x * _e75.w))) + (_e104.y * (_e75.y - (_e106.y * _e75.w)))) + (_e104.z * (_e75.z - (_e106.z * _e75.w)))) > 0f) {
-                let _e130 = samples.member[(0u + _e63.first_primitive)].flags;
-                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
-                phi_282_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, ((_e130 & 1u) == 0u));
-            } else {
-                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
-                phi_282_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
-            }
-            let _e164 = phi_282_;
-            phi_286_ = _e164;
-        } else {
-            let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
-            phi_286_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, true);
-        }
-        let _e181 = phi_286_;
-        if _e181.unnamed_1 {
-            phi_733_ = evaluate_Verdict(_e181.unnamed.visibility, _e181.unnamed.is_doubted);
-            phi_734_ = evaluate_Verdict();
-            phi_735_ = true;
-        } else {
-            let _e189 = samples.member[(0u + _e63.first_primitive)].position;
-            let _e207 = ((((_e73.projection.row_w.x * _e189.x) + (_e73.projection.row_w.y * _e189.y)) + (_e73.projection.row_w.z * _e189.z)) + (_e73.projection.row_w.w * 1f));
-            let _e221 = (((((_e73.projection.row_x.x * _e189.x) + (_e73.projection.row_x.y * _e189.y)) + (_e73.projection.row_x.z * _e189.z)) + (_e73.projection.row_x.w * 1f)) / _e207);
-            let _e235 = (((((_e73.projection.row_y.x * _e189.x) + (_e73.projection.row_y.y * _e189.y)) + (_e73.projection.row_y.z * _e189.z)) + (_e73.projection.row_y.w * 1f)) / _e207);
-            let _e248 = ((((_e73.projection.row_z.x * _e189.x) + (_e73.projection.row_z.y * _e189.y)) + (_e73.projection.row_z.z * _e189.z)) + (_e73.projection.row_z.w * 1f));
-            if (_e207 > 0f) {
-                if (_e221 >= 0f) {
-                    phi_360_ = (_e221 <= 1f);
+        let _e100 = phi_242_;
+        if !(_e100) {
+            let _e103 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e105 = p.member.light.place;
+            let _e111 = p.member.light.place[3u];
+            let _e118 = (_e105.x - (_e103.x * _e111));
+            let _e119 = (_e105.y - (_e103.y * _e111));
+            let _e120 = (_e105.z - (_e103.z * _e111));
+            let _e122 = samples.member[(0u + _e63.first_primitive)].normal;
+            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
+                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
+                let _e138 = p.member.light.axis;
+                let _e150 = p.member.light.place[3u];
+                if (_e150 == 0f) {
+                    phi_313_ = true;
                 } else {
-                    phi_360_ = false;
-                }
-                let _e253 = phi_360_;
-                if _e253 {
-                    if (_e235 >= 0f) {
-                        phi_369_ = (_e235 <= 1f);
+                    let _e153 = p.member.light.range_squared;
+                    if (_e136 <= _e153) {
+                        let _e156 = p.member.light.cos_outer;
+                        phi_312_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
                     } else {
-                        phi_369_ = false;
+                        phi_312_ = false;
                     }
-                    let _e257 = phi_369_;
-                    if _e257 {
-                        if (_e248 >= 0f) {
-                            phi_378_ = (_e248 <= 1f);
+                    let _e161 = phi_312_;
+                    phi_313_ = _e161;
+                }
+                let _e163 = phi_313_;
+                if _e163 {
+                    let _e165 = samples.member[(0u + _e63.first_primitive)].flags;
+                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
+                    phi_324_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
+                    phi_325_ = false;
+                } else {
+                    phi_324_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_325_ = true;
+                }
+                let _e184 = phi_324_;
+                let _e186 = phi_325_;
+                phi_326_ = _e184;
+                phi_327_ = _e186;
+            } else {
+                phi_326_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_327_ = true;
+            }
+            let _e188 = phi_326_;
+            let _e190 = phi_327_;
+            if _e190 {
+                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
+                phi_334_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+            } else {
+                phi_334_ = _e188;
+            }
+            let _e207 = phi_334_;
+            phi_338_ = _e207;
+        } else {
+            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
+            phi_338_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+        }
+        let _e224 = phi_338_;
+        if _e224.unnamed_1 {
+            phi_785_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
+            phi_786_ = evaluate_Verdict();
+            phi_787_ = true;
+        } else {
+            let _e232 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
+            let _e264 = (((((_e73.projection.row_x.x * _e232.x) + (_e73.projection.row_x.y * _e232.y)) + (_e73.projection.row_x.z * _e232.z)) + (_e73.projection.row_x.w * 1f)) / _e250);
+            let _e278 = (((((_e73.projection.row_y.x * _e232.x) + (_e73.projection.row_y.y * _e232.y)) + (_e73.projection.row_y.z * _e232.z)) + (_e73.projection.row_y.w * 1f)) / _e250);
+            let _e291 = ((((_e73.projection.row_z.x * _e232.x) + (_e73.projection.row_z.y * _e232.y)) + (_e73.projection.row_z.z * _e232.z)) + (_e73.projection.row_z.w * 1f));
+            if (_e250 > 0f) {
+                if (_e264 >= 0f) {
+                    phi_412_ = (_e264 <= 1f);
+                } else {
+                    phi_412_ = false;
+                }
+                let _e296 = phi_412_;
+                if _e296 {
+                    if (_e278 >= 0f) {
+                        phi_421_ = (_e278 <= 1f);
+                    } else {
+                        phi_421_ = false;
+                    }
+                    let _e300 = phi_421_;
+                    if _e300 {
+                        if (_e291 >= 0f) {
+                            phi_430_ = (_e291 <= 1f);
                         } else {
-                            phi_378_ = false;
+                            phi_430_ = false;
                         }
-                        let _e261 = phi_378_;
-                        phi_379_ = _e261;
-                        phi_380_ = false;
+                        let _e304 = phi_430_;
+                        phi_431_ = _e304;
+                        phi_432_ = false;
                     } else {
-                        phi_379_ = bool();
-                        phi_380_ = true;
+                        phi_431_ = bool();
+                        phi_432_ = true;
                     }
-                    let _e263 = phi_379_;
-                    let _e265 = phi_380_;
-                    phi_381_ = _e263;
-                    phi_382_ = _e265;
+                    let _e306 = phi_431_;
+                    let _e308 = phi_432_;
+                    phi_433_ = _e306;
+                    phi_434_ = _e308;
                 } else {
-                    phi_381_ = bool();
-                    phi_382_ = true;
+                    phi_433_ = bool();
+                    phi_434_ = true;
                 }
-                let _e267 = phi_381_;
-                let _e269 = phi_382_;
-                phi_383_ = _e267;
-                phi_384_ = _e269;
+                let _e310 = phi_433_;
+                let _e312 = phi_434_;
+                phi_435_ = _e310;
+                phi_436_ = _e312;
             } else {
-                phi_383_ = bool();
-                phi_384_ = true;
+                phi_435_ = bool();
+                phi_436_ = true;
             }
-            let _e271 = phi_383_;
-            let _e273 = phi_384_;
-            if _e273 {
-                phi_388_ = false;
+            let _e314 = phi_435_;
+            let _e316 = phi_436_;
+            if _e316 {
+                phi_440_ = false;
             } else {
-                phi_388_ = _e271;
+                phi_440_ = _e314;
             }
-            let _e275 = phi_388_;
-            if _e275 {
+            let _e318 = phi_440_;
+            if _e318 {
                 if (0f > 0f) {
-                    let _e278 = samples.member[(0u + _e63.first_primitive)].normal;
-                    let _e280 = p.member.map_size;
-                    let _e350 = ((abs(((((_e69.row_x.x * _e278.x) + (_e69.row_x.y * _e278.y)) + (_e69.row_x.z * _e278.z)) / (((_e69.row_x.x * _e69.row_x.x) + (_e69.row_x.y * _e69.row_x.y)) + (_e69.row_x.z * _e69.row_x.z)))) + abs(((((_e69.row_y.x * _e278.x) + (_e69.row_y.y * _e278.y)) + (_e69.row_y.z * _e278.z)) / (((_e69.row_y.x * _e69.row_y.x) + (_e69.row_y.y * _e69.row_y.y)) + (_e69.row_y.z * _e69.row_y.z))))) / (abs(((((_e69.row_z.x * _e278.x) + (_e69.row_z.y * _e278.y)) + (_e69.row_z.z * _e278.z)) / (((_e69.row_z.x * _e69.row_z.x) + (_e69.row_z.y * _e69.row_z.y)) + (_e69.row_z.z * _e69.row_z.z)))) * f32(_e280)));
-                    if (_e350 < 0.002f) {
-                        phi_478_ = _e350;
+                    let _e321 = samples.member[(0u + _e63.first_primitive)].normal;
+                    let _e323 = p.member.map_size;
+                    let _e393 = ((abs(((((_e69.row_x.x * _e321.x) + (_e69.row_x.y * _e321.y)) + (_e69.row_x.z * _e321.z)) / (((_e69.row_x.x * _e69.row_x.x) + (_e69.row_x.y * _e69.row_x.y)) + (_e69.row_x.z * _e69.row_x.z)))) + abs(((((_e69.row_y.x * _e321.x) + (_e69.row_y.y * _e321.y)) + (_e69.row_y.z * _e321.z)) / (((_e69.row_y.x * _e69.row_y.x) + (_e69.row_y.y * _e69.row_y.y)) + (_e69.row_y.z * _e69.row_y.z))))) / (abs(((((_e69.row_z.x * _e321.x) + (_e69.row_z.y * _e321.y)) + (_e69.row_z.z * _e321.z)) / (((_e69.row_z.x * _e69.row_z.x) + (_e69.row_z.y * _e69.row_z.y)) + (_e69.row_z.z * _e69.row_z.z)))) * f32(_e323)));
+                    if (_e393 < 0.002f) {
+                        phi_530_ = _e393;
                     } else {
-                        phi_478_ = 0.002f;
+                        phi_530_ = 0.002f;
                     }
-                    let _e353 = phi_478_;
-                    phi_481_ = (_e248 - (0f * _e353));
+                    let _e396 = phi_530_;
+                    phi_533_ = (_e291 - (0f * _e396));
                 } else {
-                    phi_481_ = _e248;
+                    phi_533_ = _e291;
                 }
-                let _e357 = phi_481_;
-                let _e359 = p.member.map_size;
-                let _e360 = f32(_e359);
-                let _e363 = ((_e221 * _e360) - 0.5f);
-                let _e364 = ((_e235 * _e360) - 0.5f);
-                if (_e363 > -8388608f) {
-                    let _e376 = f32(select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < bitcast<f32>(3472883712u))), 2147483647i, (_e363 > bitcast<f32>(1325400063u))), (_e363 == _e363)));
-                    if (_e376 > _e363) {
-                        phi_510_ = 1f;
+                let _e400 = phi_533_;
+                let _e402 = p.member.map_size;
+                let _e403 = f32(_e402);
+                let _e406 = ((_e264 * _e403) - 0.5f);
+                let _e407 = ((_e278 * _e403) - 0.5f);
+                if (_e406 > -8388608f) {
+                    let _e419 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
+                    if (_e419 > _e406) {
+                        phi_562_ = 1f;
                     } else {
-                        phi_510_ = 0f;
+                        phi_562_ = 0f;
                     }
-                    let _e379 = phi_510_;
-                    if (_e363 < 8388608f) {
-                        phi_515_ = (_e376 - _e379);
-                        phi_516_ = false;
+                    let _e422 = phi_562_;
+                    if (_e406 < 8388608f) {
+                        phi_567_ = (_e419 - _e422);
+                        phi_568_ = false;
                     } else {
-                        phi_515_ = f32();
-                        phi_516_ = true;
+                        phi_567_ = f32();
+                        phi_568_ = true;
                     }
-                    let _e382 = phi_515_;
-                    let _e384 = phi_516_;
-                    phi_517_ = _e382;
-                    phi_518_ = _e384;
+                    let _e425 = phi_567_;
+                    let _e427 = phi_568_;
+                    phi_569_ = _e425;
+                    phi_570_ = _e427;
                 } else {
-                    phi_517_ = f32();
-                    phi_518_ = true;
+                    phi_569_ = f32();
+                    phi_570_ = true;
                 }
-                let _e386 = phi_517_;
-                let _e388 = phi_518_;
-                if _e388 {
-                    phi_522_ = _e363;
+                let _e429 = phi_569_;
+                let _e431 = phi_570_;
+                if _e431 {
+                    phi_574_ = _e406;
                 } else {
-                    phi_522_ = _e386;
+                    phi_574_ = _e429;
                 }
-                let _e390 = phi_522_;
-                if (_e364 > -8388608f) {
-                    let _e402 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
-                    if (_e402 > _e364) {
-                        phi_542_ = 1f;
+                let _e433 = phi_574_;
+                if (_e407 > -8388608f) {
+                    let _e445 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
+                    if (_e445 > _e407) {
+                        phi_594_ = 1f;
                     } else {
-                        phi_542_ = 0f;
+                        phi_594_ = 0f;
                     }
-                    let _e405 = phi_542_;
-                    if (_e364 < 8388608f) {
-                        phi_547_ = (_e402 - _e405);
-                        phi_548_ = false;
+                    let _e448 = phi_594_;
+                    if (_e407 < 8388608f) {
+                        phi_599_ = (_e445 - _e448);
+                        phi_600_ = false;
                     } else {
-                        phi_547_ = f32();
-                        phi_548_ = true;
+                        phi_599_ = f32();
+                        phi_600_ = true;
                     }
-                    let _e408 = phi_547_;
-                    let _e410 = phi_548_;
-                    phi_549_ = _e408;
-                    phi_550_ = _e410;
+                    let _e451 = phi_599_;
+                    let _e453 = phi_600_;
+                    phi_601_ = _e451;
+                    phi_602_ = _e453;
                 } else {
-                    phi_549_ = f32();
-                    phi_550_ = true;
+                    phi_601_ = f32();
+                    phi_602_ = true;
                 }
-                let _e412 = phi_549_;
-                let _e414 = phi_550_;
-                if _e414 {
-                    phi_554_ = _e364;
+                let _e455 = phi_601_;
+                let _e457 = phi_602_;
+                if _e457 {
+                    phi_606_ = _e407;
                 } else {
-                    phi_554_ = _e412;
+                    phi_606_ = _e455;
                 }
-                let _e416 = phi_554_;
-                let _e417 = (_e363 - _e390);
-                let _e418 = (_e364 - _e416);
-                let _e427 = select(0i, select(select(i32(_e390), i32(-2147483648), (_e390 < bitcast<f32>(3472883712u))), 2147483647i, (_e390 > bitcast<f32>(1325400063u))), (_e390 == _e390));
-                let _e436 = select(0i, select(select(i32(_e416), i32(-2147483648), (_e416 < bitcast<f32>(3472883712u))), 2147483647i, (_e416 > bitcast<f32>(1325400063u))), (_e416 == _e416));
-                let _e439 = ((1f - _e417) * (1f - _e418));
-                let _e441 = (_e417 * (1f - _e418));
-                let _e443 = ((1f - _e417) * _e418);
-                let _e444 = (_e417 * _e418);
-                let _e446 = p.member.test;
-                let _e447 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e446);
-                let _e449 = p.member.map_size;
-                local = _e447;
-                let _e451 = ((0u * _e449) * _e449);
-                let _e453 = (bitcast<i32>(_e449) - 1i);
-                if (_e427 > 0i) {
-                    phi_602_ = _e427;
+                let _e459 = phi_606_;
+                let _e460 = (_e406 - _e433);
+                let _e461 = (_e407 - _e459);
+                let _e470 = select(0i, select(select(i32(_e433), i32(-2147483648), (_e433 < bitcast<f32>(3472883712u))), 2147483647i, (_e433 > bitcast<f32>(1325400063u))), (_e433 == _e433));
+                let _e479 = select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < bitcast<f32>(3472883712u))), 2147483647i, (_e459 > bitcast<f32>(1325400063u))), (_e459 == _e459));
+                let _e482 = ((1f - _e460) * (1f - _e461));
+                let _e484 = (_e460 * (1f - _e461));
+                let _e486 = ((1f - _e460) * _e461);
+                let _e487 = (_e460 * _e461);
+                let _e489 = p.member.test;
+                let _e490 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e489);
+                let _e492 = p.member.map_size;
+                local = _e490;
+                let _e494 = ((0u * _e492) * _e492);
+                let _e496 = (bitcast<i32>(_e492) - 1i);
+                if (_e470 > 0i) {
+                    phi_654_ = _e470;
                 } else {
-                    phi_602_ = 0i;
+                    phi_654_ = 0i;
                 }
-                let _e456 = phi_602_;
-                if (_e436 > 0i) {
-                    phi_607_ = _e436;
+                let _e499 = phi_654_;
+                if (_e479 > 0i) {
+                    phi_659_ = _e479;
                 } else {
-                    phi_607_ = 0i;
+                    phi_659_ = 0i;
                 }
-                let _e459 = phi_607_;
-                if (_e456 < _e453) {
-                    phi_612_ = _e456;
+                let _e502 = phi_659_;
+                if (_e499 < _e496) {
+                    phi_664_ = _e499;
                 } else {
-                    phi_612_ = _e453;
+                    phi_664_ = _e496;
                 }
-                let _e462 = phi_612_;
-                if (_e459 < _e453) {
-                    phi_617_ = _e459;
+                let _e505 = phi_664_;
+                if (_e502 < _e496) {
+                    phi_669_ = _e502;
                 } else {
-                    phi_617_ = _e453;
+                    phi_669_ = _e496;
                 }
-                let _e465 = phi_617_;
-                let _e466 = bitcast<u32>(_e462);
-                let _e468 = (_e427 + 1i);
-                let _e469 = (_e436 + 1i);
-                if (_e468 > 0i) {
-                    phi_626_ = _e468;
+                let _e508 = phi_669_;
+                let _e509 = bitcast<u32>(_e505);
+                let _e511 = (_e470 + 1i);
+                let _e512 = (_e479 + 1i);
+                if (_e511 > 0i) {
+                    phi_678_ = _e511;
                 } else {
-                    phi_626_ = 0i;
+                    phi_678_ = 0i;
                 }
-                let _e472 = phi_626_;
-                if (_e469 > 0i) {
-                    phi_631_ = _e469;
+                let _e515 = phi_678_;
+                if (_e512 > 0i) {
+                    phi_683_ = _e512;
                 } else {
-                    phi_631_ = 0i;
+                    phi_683_ = 0i;
                 }
-                let _e475 = phi_631_;
-                if (_e472 < _e453) {
-                    phi_636_ = _e472;
+                let _e518 = phi_683_;
+                if (_e515 < _e496) {
+                    phi_688_ = _e515;
                 } else {
-                    phi_636_ = _e453;
+                    phi_688_ = _e496;
                 }
-                let _e478 = phi_636_;
-                if (_e475 < _e453) {
-                    phi_641_ = _e475;
+                let _e521 = phi_688_;
+                if (_e518 < _e496) {
+                    phi_693_ = _e518;
                 } else {
-                    phi_641_ = _e453;
+                    phi_693_ = _e496;
                 }
-                let _e481 = phi_641_;
-                let _e482 = bitcast<u32>(_e478);
-                let _e484 = (bitcast<u32>(_e465) * _e449);
-                let _e485 = (bitcast<u32>(_e481) * _e449);
-                let _e490 = ((_e484 + _e466) + _e451);
-                let _e491 = ((_e484 + _e482) + _e451);
-                let _e492 = ((_e485 + _e466) + _e451);
-                let _e493 = ((_e485 + _e482) + _e451);
-                if (_e490 < _e54) {
+                let _e524 = phi_693_;
+                let _e525 = bitcast<u32>(_e521);
+                let _e527 = (bitcast<u32>(_e508) * _e492);
+                let _e528 = (bitcast<u32>(_e524) * _e492);
+                let _e533 = ((_e527 + _e509) + _e494);
+                let _e534 = ((_e527 + _e525) + _e494);
+                let _e535 = ((_e528 + _e509) + _e494);
+                let _e536 = ((_e528 + _e525) + _e494);
+                if (_e533 < _e54) {
                 } else {
                     return;
                 }
-                let _e497 = map.member[(0u + _e490)];
-                if (_e491 < _e54) {
+                let _e540 = map.member[(0u + _e533)];
+                if (_e534 < _e54) {
                 } else {
                     return;
                 }
-                let _e509 = map.member[(0u + _e491)];
-                if (_e492 < _e54) {
+                let _e552 = map.member[(0u + _e534)];
+                if (_e535 < _e54) {
                 } else {
                     return;
                 }
-                let _e525 = map.member[(0u + _e492)];
-                if (_e493 < _e54) {
+                let _e568 = map.member[(0u + _e535)];
+                if (_e536 < _e54) {
                 } else {
                     return;
                 }
-                let _e541 = map.member[(0u + _e493)];
-                let _e555 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e497.x * _e439) + (_e509.x * _e441)) + (_e525.x * _e443)) + (_e541.x * _e444)), ((((_e497.y * _e439) + (_e509.y * _e441)) + (_e525.y * _e443)) + (_e541.y * _e444)), ((((_e497.z * _e439) + (_e509.z * _e441)) + (_e525.z * _e443)) + (_e541.z * _e444)), ((((_e497.w * _e439) + (_e509.w * _e441)) + (_e525.w * _e443)) + (_e541.w * _e444))), _e357);
-                phi_730_ = evaluate_Verdict(_e555, false);
-                phi_731_ = evaluate_Verdict();
-                phi_732_ = false;
+                let _e584 = map.member[(0u + _e536)];
+                let _e598 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e540.x * _e482) + (_e552.x * _e484)) + (_e568.x * _e486)) + (_e584.x * _e487)), ((((_e540.y * _e482) + (_e552.y * _e484)) + (_e568.y * _e486)) + (_e584.y * _e487)), ((((_e540.z * _e482) + (_e552.z * _e484)) + (_e568.z * _e486)) + (_e584.z * _e487)), ((((_e540.w * _e482) + (_e552.w * _e484)) + (_e568.w * _e486)) + (_e584.w * _e487))), _e400);
+                phi_782_ = evaluate_Verdict(_e598, false);
+                phi_783_ = evaluate_Verdict();
+                phi_784_ = false;
             } else {
-                phi_730_ = evaluate_Verdict();
-                phi_731_ = evaluate_Verdict(1f, false);
-                phi_732_ = true;
+                phi_782_ = evaluate_Verdict();
+                phi_783_ = evaluate_Verdict(1f, false);
+                phi_784_ = true;
             }
-            let _e559 = phi_730_;
-            let _e561 = phi_731_;
-            let _e563 = phi_732_;
-            phi_733_ = _e561;
-            phi_734_ = _e559;
-            phi_735_ = _e563;
+            let _e602 = phi_782_;
+            let _e604 = phi_783_;
+            let _e606 = phi_784_;
+            phi_785_ = _e604;
+            phi_786_ = _e602;
+            phi_787_ = _e606;
         }
-        let _e565 = phi_733_;
-        let _e567 = phi_734_;
-        let _e569 = phi_735_;
-        if _e569 {
-            phi_739_ = _e565;
+        let _e608 = phi_785_;
+        let _e610 = phi_786_;
+        let _e612 = phi_787_;
+        if _e612 {
+            phi_791_ = _e608;
         } else {
-            phi_739_ = _e567;
+            phi_791_ = _e610;
         }
-        let _e571 = phi_739_;
+        let _e614 = phi_791_;
         if (_e63.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e63.first_primitive)] = _e571.visibility;
+        visibility.member[(0u + _e63.first_primitive)] = _e614.visibility;
     }
     return;
 }

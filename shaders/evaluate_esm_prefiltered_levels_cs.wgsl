@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,18 +52,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -78,45 +87,45 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_33;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_39;
+var<storage> levels: type_41;
 @group(0) @binding(2) 
-var<storage> map: type_29;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_158_: lt_bvh_traverse_Tree;
-    var phi_159_: bool;
     var phi_160_: lt_bvh_traverse_Tree;
     var phi_161_: bool;
-    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_168_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_158_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_159_ = false;
+            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_161_ = false;
         } else {
-            phi_158_ = lt_bvh_traverse_Tree();
-            phi_159_ = true;
+            phi_160_ = lt_bvh_traverse_Tree();
+            phi_161_ = true;
         }
-        let _e65 = phi_158_;
-        let _e67 = phi_159_;
-        phi_160_ = _e65;
-        phi_161_ = _e67;
+        let _e65 = phi_160_;
+        let _e67 = phi_161_;
+        phi_162_ = _e65;
+        phi_163_ = _e67;
     } else {
-        phi_160_ = lt_bvh_traverse_Tree();
-        phi_161_ = true;
+        phi_162_ = lt_bvh_traverse_Tree();
+        phi_163_ = true;
     }
-    let _e69 = phi_160_;
-    let _e71 = phi_161_;
+    let _e69 = phi_162_;
+    let _e71 = phi_163_;
     if _e71 {
-        phi_166_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_166_ = _e69;
+        phi_168_ = _e69;
     }
-    let _e76 = phi_166_;
+    let _e76 = phi_168_;
     return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
@@ -125,232 +134,218 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_186_: bool;
-    var phi_190_: f32;
+    var phi_188_: bool;
+    var phi_192_: f32;
 
     let _e53 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_186_ = true;
+        phi_188_ = true;
     } else {
         let _e57 = (84f < _e53);
         if _e57 {
         }
-        phi_186_ = _e57;
+        phi_188_ = _e57;
     }
-    let _e59 = phi_186_;
+    let _e59 = phi_188_;
     if _e59 {
-        phi_190_ = 84f;
+        phi_192_ = 84f;
     } else {
-        phi_190_ = _e53;
+        phi_192_ = _e53;
     }
-    let _e61 = phi_190_;
+    let _e61 = phi_192_;
     return _e61;
 }
 
-fn lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(param_5: f32, param_6: f32) -> f32 {
-    var phi_198_: f32;
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
+    var phi_211_: f32;
+    var phi_212_: f32;
+    var phi_213_: f32;
+    var phi_228_: f32;
+    var phi_233_: f32;
+    var phi_255_: f32;
+    var phi_260_: f32;
+    var phi_261_: bool;
+    var phi_262_: f32;
+    var phi_263_: bool;
+    var phi_267_: f32;
+    var phi_305_: f32;
+    var phi_321_: f32;
+    var phi_322_: f32;
+    var phi_323_: f32;
 
-    if (param_5 < param_6) {
-        phi_198_ = param_5;
+    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
+        phi_213_ = param_7;
     } else {
-        phi_198_ = param_6;
-    }
-    let _e56 = phi_198_;
-    return _e56;
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_7: ptr<function, f32>, param_8: vec4<f32>, param_9: f32) -> f32 {
-    var phi_217_: f32;
-    var phi_218_: f32;
-    var phi_219_: f32;
-    var phi_234_: f32;
-    var phi_239_: f32;
-    var phi_261_: f32;
-    var phi_266_: f32;
-    var phi_267_: bool;
-    var phi_268_: f32;
-    var phi_269_: bool;
-    var phi_273_: f32;
-    var phi_311_: f32;
-    var phi_327_: f32;
-    var phi_328_: f32;
-    var phi_329_: f32;
-
-    if ((bitcast<u32>(param_9) & 2147483647u) > 2139095040u) {
-        phi_219_ = param_9;
-    } else {
-        if (param_9 < 0f) {
-            phi_218_ = 0f;
+        if (param_7 < 0f) {
+            phi_212_ = 0f;
         } else {
-            if (param_9 > 1f) {
-                phi_217_ = 1f;
+            if (param_7 > 1f) {
+                phi_211_ = 1f;
             } else {
-                phi_217_ = param_9;
+                phi_211_ = param_7;
             }
-            let _e61 = phi_217_;
-            phi_218_ = _e61;
+            let _e61 = phi_211_;
+            phi_212_ = _e61;
         }
-        let _e63 = phi_218_;
-        phi_219_ = _e63;
+        let _e63 = phi_212_;
+        phi_213_ = _e63;
     }
-    let _e65 = phi_219_;
-    let _e67 = _lt_math_esm_Esm_clamped_exponent(param_7);
+    let _e65 = phi_213_;
+    let _e67 = _lt_math_esm_Esm_clamped_exponent(param_5);
     let _e69 = (_e67 * (1f - _e65));
     if ((bitcast<u32>(_e69) & 2147483647u) > 2139095040u) {
-        phi_311_ = _e69;
+        phi_305_ = _e69;
     } else {
         if (_e69 < -87f) {
-            phi_234_ = -87f;
+            phi_228_ = -87f;
         } else {
-            phi_234_ = _e69;
+            phi_228_ = _e69;
         }
-        let _e75 = phi_234_;
+        let _e75 = phi_228_;
         if (_e75 > 88f) {
-            phi_239_ = 88f;
+            phi_233_ = 88f;
         } else {
-            phi_239_ = _e75;
+            phi_233_ = _e75;
         }
-        let _e78 = phi_239_;
+        let _e78 = phi_233_;
         let _e80 = ((_e78 * 1.442695f) + 0.5f);
         if (_e80 > -8388608f) {
             let _e92 = f32(select(0i, select(select(i32(_e80), i32(-2147483648), (_e80 < bitcast<f32>(3472883712u))), 2147483647i, (_e80 > bitcast<f32>(1325400063u))), (_e80 == _e80)));
             if (_e92 > _e80) {
-                phi_261_ = 1f;
+                phi_255_ = 1f;
             } else {
-                phi_261_ = 0f;
+                phi_255_ = 0f;
             }
-            let _e95 = phi_261_;
+            let _e95 = phi_255_;
             if (_e80 < 8388608f) {
-                phi_266_ = (_e92 - _e95);
-                phi_267_ = false;
+                phi_260_ = (_e92 - _e95);
+                phi_261_ = false;
             } else {
-                phi_266_ = f32();
-                phi_267_ = true;
+                phi_260_ = f32();
+                phi_261_ = true;
             }
-            let _e98 = phi_266_;
-            let _e100 = phi_267_;
-            phi_268_ = _e98;
-            phi_269_ = _e100;
+            let _e98 = phi_260_;
+            let _e100 = phi_261_;
+            phi_262_ = _e98;
+            phi_263_ = _e100;
         } else {
-            phi_268_ = f32();
-            phi_269_ = true;
+            phi_262_ = f32();
+            phi_263_ = true;
         }
-        let _e102 = phi_268_;
-        let _e104 = phi_269_;
+        let _e102 = phi_262_;
+        let _e104 = phi_263_;
         if _e104 {
-            phi_273_ = _e80;
+            phi_267_ = _e80;
         } else {
-            phi_273_ = _e102;
+            phi_267_ = _e102;
         }
-        let _e106 = phi_273_;
+        let _e106 = phi_267_;
         let _e110 = ((_e78 - (_e106 * 0.69314575f)) - (_e106 * 0.0000014286068f));
-        phi_311_ = ((((((((((((((((1f / 5040f) * _e110) + (1f / 720f)) * _e110) + (1f / 120f)) * _e110) + (1f / 24f)) * _e110) + (1f / 6f)) * _e110) + 0.5f) * _e110) + 1f) * _e110) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e106), i32(-2147483648), (_e106 < bitcast<f32>(3472883712u))), 2147483647i, (_e106 > bitcast<f32>(1325400063u))), (_e106 == _e106)) + 127i)) << bitcast<u32>(23i))));
+        phi_305_ = ((((((((((((((((1f / 5040f) * _e110) + (1f / 720f)) * _e110) + (1f / 120f)) * _e110) + (1f / 24f)) * _e110) + (1f / 6f)) * _e110) + 0.5f) * _e110) + 1f) * _e110) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e106), i32(-2147483648), (_e106 < bitcast<f32>(3472883712u))), 2147483647i, (_e106 > bitcast<f32>(1325400063u))), (_e106 == _e106)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e146 = phi_311_;
-    let _e147 = (param_8.x * _e146);
+    let _e146 = phi_305_;
+    let _e147 = (param_6.x * _e146);
     if ((bitcast<u32>(_e147) & 2147483647u) > 2139095040u) {
-        phi_329_ = _e147;
+        phi_323_ = _e147;
     } else {
         if (_e147 < 0f) {
-            phi_328_ = 0f;
+            phi_322_ = 0f;
         } else {
             if (_e147 > 1f) {
-                phi_327_ = 1f;
+                phi_321_ = 1f;
             } else {
-                phi_327_ = _e147;
+                phi_321_ = _e147;
             }
-            let _e154 = phi_327_;
-            phi_328_ = _e154;
+            let _e154 = phi_321_;
+            phi_322_ = _e154;
         }
-        let _e156 = phi_328_;
-        phi_329_ = _e156;
+        let _e156 = phi_322_;
+        phi_323_ = _e156;
     }
-    let _e158 = phi_329_;
+    let _e158 = phi_323_;
     return _e158;
 }
 
 fn function_() {
     var local: f32;
+    var phi_383_: bool;
+    var phi_384_: bool;
+    var phi_385_: bool;
+    var phi_386_: bool;
     var phi_390_: bool;
-    var phi_391_: bool;
-    var phi_392_: bool;
-    var phi_393_: bool;
-    var phi_397_: bool;
-    var phi_441_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_445_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_465_: lt_math_LightPoint;
-    var phi_468_: u32;
-    var phi_470_: lt_math_LevelPoint;
-    var phi_556_: bool;
-    var phi_565_: bool;
-    var phi_574_: bool;
-    var phi_575_: bool;
-    var phi_576_: bool;
-    var phi_577_: bool;
-    var phi_578_: bool;
-    var phi_579_: bool;
-    var phi_580_: bool;
-    var phi_584_: bool;
-    var phi_611_: bool;
-    var phi_612_: bool;
-    var phi_613_: bool;
-    var phi_614_: bool;
+    var phi_460_: bool;
+    var phi_461_: bool;
+    var phi_472_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_473_: bool;
+    var phi_474_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_475_: bool;
+    var phi_482_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_486_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_506_: lt_math_LightPoint;
+    var phi_509_: u32;
+    var phi_511_: lt_math_LevelPoint;
+    var phi_597_: bool;
+    var phi_606_: bool;
     var phi_615_: bool;
     var phi_616_: bool;
     var phi_617_: bool;
     var phi_618_: bool;
-    var phi_622_: bool;
-    var phi_631_: lt_math_LightPoint;
-    var phi_632_: u32;
-    var phi_633_: lt_math_LevelPoint;
-    var phi_634_: bool;
-    var phi_466_: lt_math_LightPoint;
-    var phi_469_: u32;
-    var phi_471_: lt_math_LevelPoint;
-    var phi_635_: bool;
+    var phi_619_: bool;
+    var phi_620_: bool;
+    var phi_621_: bool;
+    var phi_625_: bool;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_654_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
+    var phi_659_: bool;
+    var phi_663_: bool;
+    var phi_672_: lt_math_LightPoint;
+    var phi_673_: u32;
+    var phi_674_: lt_math_LevelPoint;
+    var phi_675_: bool;
+    var phi_507_: lt_math_LightPoint;
+    var phi_510_: u32;
+    var phi_512_: lt_math_LevelPoint;
+    var phi_676_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_675_: bool;
-    var phi_676_: bool;
-    var phi_677_: bool;
-    var phi_678_: bool;
-    var phi_682_: bool;
-    var phi_764_: f32;
-    var phi_880_: f32;
-    var phi_881_: f32;
-    var phi_884_: f32;
-    var phi_913_: f32;
-    var phi_918_: f32;
-    var phi_919_: bool;
-    var phi_920_: f32;
-    var phi_921_: bool;
-    var phi_925_: f32;
-    var phi_945_: f32;
-    var phi_950_: f32;
-    var phi_951_: bool;
-    var phi_952_: f32;
-    var phi_953_: bool;
-    var phi_957_: f32;
+    var phi_716_: bool;
+    var phi_717_: bool;
+    var phi_718_: bool;
+    var phi_719_: bool;
+    var phi_723_: bool;
+    var phi_805_: f32;
+    var phi_923_: f32;
+    var phi_924_: f32;
+    var phi_927_: f32;
+    var phi_956_: f32;
+    var phi_961_: f32;
+    var phi_962_: bool;
+    var phi_963_: f32;
+    var phi_964_: bool;
+    var phi_968_: f32;
+    var phi_988_: f32;
+    var phi_993_: f32;
+    var phi_994_: bool;
+    var phi_995_: f32;
+    var phi_996_: bool;
+    var phi_1000_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1006_: i32;
-    var phi_1011_: i32;
-    var phi_1016_: i32;
-    var phi_1021_: i32;
-    var phi_1030_: i32;
-    var phi_1035_: i32;
-    var phi_1040_: i32;
-    var phi_1045_: i32;
-    var local_4: lt_math_LevelPoint;
-    var phi_1161_: f32;
-    var phi_1163_: evaluate_Verdict;
-    var phi_1164_: bool;
-    var phi_1165_: evaluate_Verdict;
-    var phi_1166_: bool;
-    var phi_1171_: evaluate_Verdict;
-    var phi_1172_: bool;
-    var phi_1174_: evaluate_Verdict;
-    var phi_1175_: evaluate_Verdict;
-    var phi_1176_: bool;
+    var phi_1049_: i32;
+    var phi_1054_: i32;
+    var phi_1059_: i32;
+    var phi_1064_: i32;
+    var phi_1073_: i32;
+    var phi_1078_: i32;
+    var phi_1083_: i32;
+    var phi_1088_: i32;
+    var phi_1177_: evaluate_Verdict;
+    var phi_1178_: evaluate_Verdict;
+    var phi_1179_: bool;
     var phi_1180_: evaluate_Verdict;
     var phi_1181_: evaluate_Verdict;
     var phi_1182_: bool;
@@ -368,537 +363,535 @@ fn function_() {
         } else {
             return;
         }
-        let _e83 = p.member.light;
-        let _e86 = samples.member[(0u + _e72.first_primitive)].normal[0u];
-        let _e88 = global[0u];
-        if (_e86 == _e88) {
-            let _e91 = samples.member[(0u + _e72.first_primitive)].normal[1u];
-            let _e93 = global[1u];
-            if (_e91 == _e93) {
-                let _e96 = samples.member[(0u + _e72.first_primitive)].normal[2u];
-                let _e98 = global[2u];
-                phi_390_ = (_e96 == _e98);
-                phi_391_ = false;
+        let _e85 = samples.member[(0u + _e72.first_primitive)].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[(0u + _e72.first_primitive)].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[(0u + _e72.first_primitive)].normal[2u];
+                let _e97 = global[2u];
+                phi_383_ = (_e95 == _e97);
+                phi_384_ = false;
             } else {
-                phi_390_ = bool();
-                phi_391_ = true;
+                phi_383_ = bool();
+                phi_384_ = true;
             }
-            let _e101 = phi_390_;
-            let _e103 = phi_391_;
-            phi_392_ = _e101;
-            phi_393_ = _e103;
+            let _e100 = phi_383_;
+            let _e102 = phi_384_;
+            phi_385_ = _e100;
+            phi_386_ = _e102;
         } else {
-            phi_392_ = bool();
-            phi_393_ = true;
+            phi_385_ = bool();
+            phi_386_ = true;
         }
-        let _e105 = phi_392_;
-        let _e107 = phi_393_;
-        if _e107 {
-            phi_397_ = false;
+        let _e104 = phi_385_;
+        let _e106 = phi_386_;
+        if _e106 {
+            phi_390_ = false;
         } else {
-            phi_397_ = _e105;
+            phi_390_ = _e104;
         }
-        let _e109 = phi_397_;
-        if !(_e109) {
-            let _e112 = samples.member[(0u + _e72.first_primitive)].normal;
-            let _e114 = samples.member[(0u + _e72.first_primitive)].position;
-            if ((((_e112.x * (_e83.x - (_e114.x * _e83.w))) + (_e112.y * (_e83.y - (_e114.y * _e83.w)))) + (_e112.z * (_e83.z - (_e114.z * _e83.w)))) > 0f) {
-                let _e138 = samples.member[(0u + _e72.first_primitive)].flags;
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e146.unnamed.visibility, false), _e146.unnamed_1);
-                phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e152.unnamed, ((_e138 & 1u) == 0u));
+        let _e108 = phi_390_;
+        if !(_e108) {
+            let _e111 = samples.member[(0u + _e72.first_primitive)].position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = samples.member[(0u + _e72.first_primitive)].normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_461_ = true;
+                } else {
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_460_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
+                    } else {
+                        phi_460_ = false;
+                    }
+                    let _e169 = phi_460_;
+                    phi_461_ = _e169;
+                }
+                let _e171 = phi_461_;
+                if _e171 {
+                    let _e173 = samples.member[(0u + _e72.first_primitive)].flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_473_ = false;
+                } else {
+                    phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_473_ = true;
+                }
+                let _e192 = phi_472_;
+                let _e194 = phi_473_;
+                phi_474_ = _e192;
+                phi_475_ = _e194;
             } else {
-                let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
-                phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, true);
+                phi_474_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_475_ = true;
             }
-            let _e172 = phi_441_;
-            phi_445_ = _e172;
+            let _e196 = phi_474_;
+            let _e198 = phi_475_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
+            } else {
+                phi_482_ = _e196;
+            }
+            let _e215 = phi_482_;
+            phi_486_ = _e215;
         } else {
-            let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e178.unnamed.visibility, false), _e178.unnamed_1);
-            phi_445_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e184.unnamed, true);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e189 = phi_445_;
-        if _e189.unnamed_1 {
-            phi_1180_ = evaluate_Verdict(_e189.unnamed.visibility, _e189.unnamed.is_doubted);
+        let _e232 = phi_486_;
+        if _e232.unnamed_1 {
+            phi_1180_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
             phi_1181_ = evaluate_Verdict();
             phi_1182_ = true;
         } else {
-            let _e197 = samples.member[(0u + _e72.first_primitive)].position;
-            let _e199 = p.member.map_size;
-            let _e201 = (0.5f / f32(_e199));
-            let _e208 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e215 = lt_math_LightPoint(vec2<f32>(_e208.uv.x, 0f), _e208.depth, _e208.is_inside);
-            let _e219 = lt_math_LightPoint(_e215.uv, 0f, _e215.is_inside);
-            phi_465_ = lt_math_LightPoint();
-            phi_468_ = 0u;
-            phi_470_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e219.uv, _e219.depth, false));
+            let _e240 = samples.member[(0u + _e72.first_primitive)].position;
+            let _e242 = p.member.map_size;
+            let _e244 = (0.5f / f32(_e242));
+            let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
+            let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
+            phi_506_ = lt_math_LightPoint();
+            phi_509_ = 0u;
+            phi_511_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
             loop {
-                let _e226 = phi_465_;
-                let _e228 = phi_468_;
-                let _e230 = phi_470_;
-                local_1 = _e230;
-                local_2 = _e230;
-                local_3 = _e230;
-                local_4 = _e230;
-                if (_e228 < _e78) {
-                    if _e230.point.is_inside {
-                        phi_631_ = lt_math_LightPoint();
-                        phi_632_ = u32();
-                        phi_633_ = lt_math_LevelPoint();
-                        phi_634_ = false;
+                let _e269 = phi_506_;
+                let _e271 = phi_509_;
+                let _e273 = phi_511_;
+                local_1 = _e273;
+                local_2 = _e273;
+                local_3 = _e273;
+                if (_e271 < _e78) {
+                    if _e273.point.is_inside {
+                        phi_672_ = lt_math_LightPoint();
+                        phi_673_ = u32();
+                        phi_674_ = lt_math_LevelPoint();
+                        phi_675_ = false;
                     } else {
-                        if (_e228 < _e66) {
+                        if (_e271 < _e66) {
                         } else {
                             return;
                         }
-                        let _e241 = levels.member[(0u + _e228)].row_w;
-                        let _e252 = ((((_e241.x * _e197.x) + (_e241.y * _e197.y)) + (_e241.z * _e197.z)) + (_e241.w * 1f));
-                        let _e254 = levels.member[(0u + _e228)].row_x;
-                        let _e266 = (((((_e254.x * _e197.x) + (_e254.y * _e197.y)) + (_e254.z * _e197.z)) + (_e254.w * 1f)) / _e252);
-                        let _e268 = levels.member[(0u + _e228)].row_y;
-                        let _e280 = (((((_e268.x * _e197.x) + (_e268.y * _e197.y)) + (_e268.z * _e197.z)) + (_e268.w * 1f)) / _e252);
-                        let _e282 = levels.member[(0u + _e228)].row_z;
-                        let _e293 = ((((_e282.x * _e197.x) + (_e282.y * _e197.y)) + (_e282.z * _e197.z)) + (_e282.w * 1f));
-                        if (_e252 > 0f) {
-                            if (_e266 >= 0f) {
-                                phi_556_ = (_e266 <= 1f);
+                        let _e284 = levels.member[(0u + _e271)].row_w;
+                        let _e295 = ((((_e284.x * _e240.x) + (_e284.y * _e240.y)) + (_e284.z * _e240.z)) + (_e284.w * 1f));
+                        let _e297 = levels.member[(0u + _e271)].row_x;
+                        let _e309 = (((((_e297.x * _e240.x) + (_e297.y * _e240.y)) + (_e297.z * _e240.z)) + (_e297.w * 1f)) / _e295);
+                        let _e311 = levels.member[(0u + _e271)].row_y;
+                        let _e323 = (((((_e311.x * _e240.x) + (_e311.y * _e240.y)) + (_e311.z * _e240.z)) + (_e311.w * 1f)) / _e295);
+                        let _e325 = levels.member[(0u + _e271)].row_z;
+                        let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
+                        if (_e295 > 0f) {
+                            if (_e309 >= 0f) {
+                                phi_597_ = (_e309 <= 1f);
                             } else {
-                                phi_556_ = false;
+                                phi_597_ = false;
                             }
-                            let _e298 = phi_556_;
-                            if _e298 {
-                                if (_e280 >= 0f) {
-                                    phi_565_ = (_e280 <= 1f);
+                            let _e341 = phi_597_;
+                            if _e341 {
+                                if (_e323 >= 0f) {
+                                    phi_606_ = (_e323 <= 1f);
                                 } else {
-                                    phi_565_ = false;
+                                    phi_606_ = false;
                                 }
-                                let _e302 = phi_565_;
-                                if _e302 {
-                                    if (_e293 >= 0f) {
-                                        phi_574_ = (_e293 <= 1f);
+                                let _e345 = phi_606_;
+                                if _e345 {
+                                    if (_e336 >= 0f) {
+                                        phi_615_ = (_e336 <= 1f);
                                     } else {
-                                        phi_574_ = false;
+                                        phi_615_ = false;
                                     }
-                                    let _e306 = phi_574_;
-                                    phi_575_ = _e306;
-                                    phi_576_ = false;
+                                    let _e349 = phi_615_;
+                                    phi_616_ = _e349;
+                                    phi_617_ = false;
                                 } else {
-                                    phi_575_ = bool();
-                                    phi_576_ = true;
+                                    phi_616_ = bool();
+                                    phi_617_ = true;
                                 }
-                                let _e308 = phi_575_;
-                                let _e310 = phi_576_;
-                                phi_577_ = _e308;
-                                phi_578_ = _e310;
+                                let _e351 = phi_616_;
+                                let _e353 = phi_617_;
+                                phi_618_ = _e351;
+                                phi_619_ = _e353;
                             } else {
-                                phi_577_ = bool();
-                                phi_578_ = true;
+                                phi_618_ = bool();
+                                phi_619_ = true;
                             }
-                            let _e312 = phi_577_;
-                            let _e314 = phi_578_;
-                            phi_579_ = _e312;
-                            phi_580_ = _e314;
+                            let _e355 = phi_618_;
+                            let _e357 = phi_619_;
+                            phi_620_ = _e355;
+                            phi_621_ = _e357;
                         } else {
-                            phi_579_ = bool();
-                            phi_580_ = true;
+                            phi_620_ = bool();
+                            phi_621_ = true;
                         }
-                        let _e316 = phi_579_;
-                        let _e318 = phi_580_;
-                        if _e318 {
-                            phi_584_ = false;
+                        let _e359 = phi_620_;
+                        let _e361 = phi_621_;
+                        if _e361 {
+                            phi_625_ = false;
                         } else {
-                            phi_584_ = _e316;
+                            phi_625_ = _e359;
                         }
-                        let _e320 = phi_584_;
-                        if _e320 {
-                            if (_e266 >= _e201) {
-                                if (_e266 <= (1f - _e201)) {
-                                    if (_e280 >= _e201) {
-                                        phi_611_ = (_e280 <= (1f - _e201));
-                                        phi_612_ = false;
+                        let _e363 = phi_625_;
+                        if _e363 {
+                            if (_e309 >= _e244) {
+                                if (_e309 <= (1f - _e244)) {
+                                    if (_e323 >= _e244) {
+                                        phi_652_ = (_e323 <= (1f - _e244));
+                                        phi_653_ = false;
                                     } else {
-                                        phi_611_ = bool();
-                                        phi_612_ = true;
+                                        phi_652_ = bool();
+                                        phi_653_ = true;
                                     }
-                                    let _e328 = phi_611_;
-                                    let _e330 = phi_612_;
-                                    phi_613_ = _e328;
-                                    phi_614_ = _e330;
+                                    let _e371 = phi_652_;
+                                    let _e373 = phi_653_;
+                                    phi_654_ = _e371;
+                                    phi_655_ = _e373;
                                 } else {
-                                    phi_613_ = bool();
-                                    phi_614_ = true;
+                                    phi_654_ = bool();
+                                    phi_655_ = true;
                                 }
-                                let _e332 = phi_613_;
-                                let _e334 = phi_614_;
-                                phi_615_ = _e332;
-                                phi_616_ = _e334;
+                                let _e375 = phi_654_;
+                                let _e377 = phi_655_;
+                                phi_656_ = _e375;
+                                phi_657_ = _e377;
                             } else {
-                                phi_615_ = bool();
-                                phi_616_ = true;
+                                phi_656_ = bool();
+                                phi_657_ = true;
                             }
-                            let _e336 = phi_615_;
-                            let _e338 = phi_616_;
-                            phi_617_ = _e336;
-                            phi_618_ = _e338;
+                            let _e379 = phi_656_;
+                            let _e381 = phi_657_;
+                            phi_658_ = _e379;
+                            phi_659_ = _e381;
                         } else {
-                            phi_617_ = bool();
-                            phi_618_ = true;
+                            phi_658_ = bool();
+                            phi_659_ = true;
                         }
-                        let _e340 = phi_617_;
-                        let _e342 = phi_618_;
-                        if _e342 {
-                            phi_622_ = false;
+                        let _e383 = phi_658_;
+                        let _e385 = phi_659_;
+                        if _e385 {
+                            phi_663_ = false;
                         } else {
-                            phi_622_ = _e340;
+                            phi_663_ = _e383;
                         }
-                        let _e344 = phi_622_;
-                        let _e351 = lt_math_LightPoint(vec2<f32>(_e266, _e226.uv.y), _e226.depth, _e226.is_inside);
-                        let _e358 = lt_math_LightPoint(vec2<f32>(_e351.uv.x, _e280), _e351.depth, _e351.is_inside);
-                        let _e362 = lt_math_LightPoint(_e358.uv, _e293, _e358.is_inside);
-                        let _e366 = lt_math_LightPoint(_e362.uv, _e362.depth, _e344);
-                        phi_631_ = _e366;
-                        phi_632_ = (_e228 + 1u);
-                        phi_633_ = lt_math_LevelPoint(_e228, _e366);
-                        phi_634_ = true;
+                        let _e387 = phi_663_;
+                        let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
+                        let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
+                        let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
+                        let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
+                        phi_672_ = _e409;
+                        phi_673_ = (_e271 + 1u);
+                        phi_674_ = lt_math_LevelPoint(_e271, _e409);
+                        phi_675_ = true;
                     }
-                    let _e370 = phi_631_;
-                    let _e372 = phi_632_;
-                    let _e374 = phi_633_;
-                    let _e376 = phi_634_;
-                    phi_466_ = _e370;
-                    phi_469_ = _e372;
-                    phi_471_ = _e374;
-                    phi_635_ = _e376;
+                    let _e413 = phi_672_;
+                    let _e415 = phi_673_;
+                    let _e417 = phi_674_;
+                    let _e419 = phi_675_;
+                    phi_507_ = _e413;
+                    phi_510_ = _e415;
+                    phi_512_ = _e417;
+                    phi_676_ = _e419;
                 } else {
-                    phi_466_ = lt_math_LightPoint();
-                    phi_469_ = u32();
-                    phi_471_ = lt_math_LevelPoint();
-                    phi_635_ = false;
+                    phi_507_ = lt_math_LightPoint();
+                    phi_510_ = u32();
+                    phi_512_ = lt_math_LevelPoint();
+                    phi_676_ = false;
                 }
-                let _e378 = phi_466_;
-                let _e380 = phi_469_;
-                let _e382 = phi_471_;
-                let _e384 = phi_635_;
+                let _e421 = phi_507_;
+                let _e423 = phi_510_;
+                let _e425 = phi_512_;
+                let _e427 = phi_676_;
                 continue;
                 continuing {
-                    phi_465_ = _e378;
-                    phi_468_ = _e380;
-                    phi_470_ = _e382;
-                    break if !(_e384);
+                    phi_506_ = _e421;
+                    phi_509_ = _e423;
+                    phi_511_ = _e425;
+                    break if !(_e427);
                 }
             }
-            let _e387 = local_1;
-            if _e387.point.is_inside {
+            let _e430 = local_1;
+            if _e430.point.is_inside {
                 if (0f > 0f) {
-                    let _e393 = local_2;
-                    if (_e393.level < _e66) {
+                    let _e436 = local_2;
+                    if (_e436.level < _e66) {
                     } else {
                         return;
                     }
-                    let _e398 = levels.member[(0u + _e393.level)];
-                    let _e404 = global[0u];
-                    if (_e398.row_w.x == _e404) {
-                        let _e407 = global[1u];
-                        if (_e398.row_w.y == _e407) {
-                            let _e410 = global[2u];
-                            phi_675_ = (_e398.row_w.z == _e410);
-                            phi_676_ = false;
+                    let _e441 = levels.member[(0u + _e436.level)];
+                    let _e447 = global[0u];
+                    if (_e441.row_w.x == _e447) {
+                        let _e450 = global[1u];
+                        if (_e441.row_w.y == _e450) {
+                            let _e453 = global[2u];
+                            phi_716_ = (_e441.row_w.z == _e453);
+                            phi_717_ = false;
                         } else {
-                            phi_675_ = bool();
-                            phi_676_ = true;
+                            phi_716_ = bool();
+                            phi_717_ = true;
                         }
-                        let _e413 = phi_675_;
-                        let _e415 = phi_676_;
-                        phi_677_ = _e413;
-                        phi_678_ = _e415;
+                        let _e456 = phi_716_;
+                        let _e458 = phi_717_;
+                        phi_718_ = _e456;
+                        phi_719_ = _e458;
                     } else {
-                        phi_677_ = bool();
-                        phi_678_ = true;
+                        phi_718_ = bool();
+                        phi_719_ = true;
                     }
-                    let _e417 = phi_677_;
-                    let _e419 = phi_678_;
-                    if _e419 {
-                        phi_682_ = false;
+                    let _e460 = phi_718_;
+                    let _e462 = phi_719_;
+                    if _e462 {
+                        phi_723_ = false;
                     } else {
-                        phi_682_ = _e417;
+                        phi_723_ = _e460;
                     }
-                    let _e421 = phi_682_;
-                    if _e421 {
-                        let _e423 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e425 = p.member.map_size;
-                        let _e495 = ((abs(((((_e398.row_x.x * _e423.x) + (_e398.row_x.y * _e423.y)) + (_e398.row_x.z * _e423.z)) / (((_e398.row_x.x * _e398.row_x.x) + (_e398.row_x.y * _e398.row_x.y)) + (_e398.row_x.z * _e398.row_x.z)))) + abs(((((_e398.row_y.x * _e423.x) + (_e398.row_y.y * _e423.y)) + (_e398.row_y.z * _e423.z)) / (((_e398.row_y.x * _e398.row_y.x) + (_e398.row_y.y * _e398.row_y.y)) + (_e398.row_y.z * _e398.row_y.z))))) / (abs(((((_e398.row_z.x * _e423.x) + (_e398.row_z.y * _e423.y)) + (_e398.row_z.z * _e423.z)) / (((_e398.row_z.x * _e398.row_z.x) + (_e398.row_z.y * _e398.row_z.y)) + (_e398.row_z.z * _e398.row_z.z)))) * f32(_e425)));
-                        if (_e495 < 0.002f) {
-                            phi_764_ = _e495;
+                    let _e464 = phi_723_;
+                    if _e464 {
+                        let _e466 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e468 = p.member.map_size;
+                        let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
+                        if (_e538 < 0.002f) {
+                            phi_805_ = _e538;
                         } else {
-                            phi_764_ = 0.002f;
+                            phi_805_ = 0.002f;
                         }
-                        let _e498 = phi_764_;
-                        phi_881_ = _e498;
+                        let _e541 = phi_805_;
+                        phi_924_ = _e541;
                     } else {
-                        let _e500 = p.member.map_size;
-                        let _e506 = samples.member[(0u + _e72.first_primitive)].position;
-                        let _e517 = ((((_e398.row_w.x * _e506.x) + (_e398.row_w.y * _e506.y)) + (_e398.row_w.z * _e506.z)) + _e398.row_w.w);
-                        let _e530 = ((_e398.row_x.x - (_e398.row_w.x * _e387.point.uv.x)) / _e517);
-                        let _e531 = ((_e398.row_x.y - (_e398.row_w.y * _e387.point.uv.x)) / _e517);
-                        let _e532 = ((_e398.row_x.z - (_e398.row_w.z * _e387.point.uv.x)) / _e517);
-                        let _e545 = ((_e398.row_y.x - (_e398.row_w.x * _e387.point.uv.y)) / _e517);
-                        let _e546 = ((_e398.row_y.y - (_e398.row_w.y * _e387.point.uv.y)) / _e517);
-                        let _e547 = ((_e398.row_y.z - (_e398.row_w.z * _e387.point.uv.y)) / _e517);
-                        let _e553 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e558 = ((_e546 * _e553.z) - (_e553.y * _e547));
-                        let _e563 = ((_e547 * _e553.x) - (_e553.z * _e545));
-                        let _e568 = ((_e545 * _e553.y) - (_e553.x * _e546));
-                        let _e570 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e575 = ((_e531 * _e570.z) - (_e570.y * _e532));
-                        let _e580 = ((_e532 * _e570.x) - (_e570.z * _e530));
-                        let _e585 = ((_e530 * _e570.y) - (_e570.x * _e531));
-                        let _e612 = ((abs(((((_e398.row_z.x * _e558) + (_e398.row_z.y * _e563)) + (_e398.row_z.z * _e568)) / (((_e530 * _e558) + (_e531 * _e563)) + (_e532 * _e568)))) + abs(((((_e398.row_z.x * _e575) + (_e398.row_z.y * _e580)) + (_e398.row_z.z * _e585)) / (((_e545 * _e575) + (_e546 * _e580)) + (_e547 * _e585))))) / f32(_e500));
-                        if (_e612 < 0.002f) {
-                            phi_880_ = _e612;
+                        let _e543 = p.member.map_size;
+                        let _e549 = samples.member[(0u + _e72.first_primitive)].position;
+                        let _e560 = ((((_e441.row_w.x * _e549.x) + (_e441.row_w.y * _e549.y)) + (_e441.row_w.z * _e549.z)) + _e441.row_w.w);
+                        let _e573 = ((_e441.row_x.x - (_e441.row_w.x * _e430.point.uv.x)) / _e560);
+                        let _e574 = ((_e441.row_x.y - (_e441.row_w.y * _e430.point.uv.x)) / _e560);
+                        let _e575 = ((_e441.row_x.z - (_e441.row_w.z * _e430.point.uv.x)) / _e560);
+                        let _e588 = ((_e441.row_y.x - (_e441.row_w.x * _e430.point.uv.y)) / _e560);
+                        let _e589 = ((_e441.row_y.y - (_e441.row_w.y * _e430.point.uv.y)) / _e560);
+                        let _e590 = ((_e441.row_y.z - (_e441.row_w.z * _e430.point.uv.y)) / _e560);
+                        let _e596 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e601 = ((_e589 * _e596.z) - (_e596.y * _e590));
+                        let _e606 = ((_e590 * _e596.x) - (_e596.z * _e588));
+                        let _e611 = ((_e588 * _e596.y) - (_e596.x * _e589));
+                        let _e613 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e618 = ((_e574 * _e613.z) - (_e613.y * _e575));
+                        let _e623 = ((_e575 * _e613.x) - (_e613.z * _e573));
+                        let _e628 = ((_e573 * _e613.y) - (_e613.x * _e574));
+                        let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
+                        let _e657 = (16f / f32(_e543));
+                        if (_e655 < _e657) {
+                            phi_923_ = _e655;
                         } else {
-                            phi_880_ = 0.002f;
+                            phi_923_ = _e657;
                         }
-                        let _e615 = phi_880_;
-                        phi_881_ = _e615;
+                        let _e660 = phi_923_;
+                        phi_924_ = _e660;
                     }
-                    let _e617 = phi_881_;
-                    phi_884_ = (_e387.point.depth - (0f * _e617));
+                    let _e662 = phi_924_;
+                    phi_927_ = (_e430.point.depth - (0f * _e662));
                 } else {
-                    phi_884_ = _e387.point.depth;
+                    phi_927_ = _e430.point.depth;
                 }
-                let _e621 = phi_884_;
-                let _e627 = p.member.map_size;
-                let _e628 = f32(_e627);
-                let _e631 = ((_e387.point.uv.x * _e628) - 0.5f);
-                let _e632 = ((_e387.point.uv.y * _e628) - 0.5f);
-                if (_e631 > -8388608f) {
-                    let _e644 = f32(select(0i, select(select(i32(_e631), i32(-2147483648), (_e631 < bitcast<f32>(3472883712u))), 2147483647i, (_e631 > bitcast<f32>(1325400063u))), (_e631 == _e631)));
-                    if (_e644 > _e631) {
-                        phi_913_ = 1f;
+                let _e666 = phi_927_;
+                let _e672 = p.member.map_size;
+                let _e673 = f32(_e672);
+                let _e676 = ((_e430.point.uv.x * _e673) - 0.5f);
+                let _e677 = ((_e430.point.uv.y * _e673) - 0.5f);
+                if (_e676 > -8388608f) {
+                    let _e689 = f32(select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < bitcast<f32>(3472883712u))), 2147483647i, (_e676 > bitcast<f32>(1325400063u))), (_e676 == _e676)));
+                    if (_e689 > _e676) {
+                        phi_956_ = 1f;
                     } else {
-                        phi_913_ = 0f;
+                        phi_956_ = 0f;
                     }
-                    let _e647 = phi_913_;
-                    if (_e631 < 8388608f) {
-                        phi_918_ = (_e644 - _e647);
-                        phi_919_ = false;
+                    let _e692 = phi_956_;
+                    if (_e676 < 8388608f) {
+                        phi_961_ = (_e689 - _e692);
+                        phi_962_ = false;
                     } else {
-                        phi_918_ = f32();
-                        phi_919_ = true;
+                        phi_961_ = f32();
+                        phi_962_ = true;
                     }
-                    let _e650 = phi_918_;
-                    let _e652 = phi_919_;
-                    phi_920_ = _e650;
-                    phi_921_ = _e652;
+                    let _e695 = phi_961_;
+                    let _e697 = phi_962_;
+                    phi_963_ = _e695;
+                    phi_964_ = _e697;
                 } else {
-                    phi_920_ = f32();
-                    phi_921_ = true;
+                    phi_963_ = f32();
+                    phi_964_ = true;
                 }
-                let _e654 = phi_920_;
-                let _e656 = phi_921_;
-                if _e656 {
-                    phi_925_ = _e631;
+                let _e699 = phi_963_;
+                let _e701 = phi_964_;
+                if _e701 {
+                    phi_968_ = _e676;
                 } else {
-                    phi_925_ = _e654;
+                    phi_968_ = _e699;
                 }
-                let _e658 = phi_925_;
-                if (_e632 > -8388608f) {
-                    let _e670 = f32(select(0i, select(select(i32(_e632), i32(-2147483648), (_e632 < bitcast<f32>(3472883712u))), 2147483647i, (_e632 > bitcast<f32>(1325400063u))), (_e632 == _e632)));
-                    if (_e670 > _e632) {
-                        phi_945_ = 1f;
+                let _e703 = phi_968_;
+                if (_e677 > -8388608f) {
+                    let _e715 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
+                    if (_e715 > _e677) {
+                        phi_988_ = 1f;
                     } else {
-                        phi_945_ = 0f;
+                        phi_988_ = 0f;
                     }
-                    let _e673 = phi_945_;
-                    if (_e632 < 8388608f) {
-                        phi_950_ = (_e670 - _e673);
-                        phi_951_ = false;
+                    let _e718 = phi_988_;
+                    if (_e677 < 8388608f) {
+                        phi_993_ = (_e715 - _e718);
+                        phi_994_ = false;
                     } else {
-                        phi_950_ = f32();
-                        phi_951_ = true;
+                        phi_993_ = f32();
+                        phi_994_ = true;
                     }
-                    let _e676 = phi_950_;
-                    let _e678 = phi_951_;
-                    phi_952_ = _e676;
-                    phi_953_ = _e678;
+                    let _e721 = phi_993_;
+                    let _e723 = phi_994_;
+                    phi_995_ = _e721;
+                    phi_996_ = _e723;
                 } else {
-                    phi_952_ = f32();
-                    phi_953_ = true;
+                    phi_995_ = f32();
+                    phi_996_ = true;
                 }
-                let _e680 = phi_952_;
-                let _e682 = phi_953_;
-                if _e682 {
-                    phi_957_ = _e632;
+                let _e725 = phi_995_;
+                let _e727 = phi_996_;
+                if _e727 {
+                    phi_1000_ = _e677;
                 } else {
-                    phi_957_ = _e680;
+                    phi_1000_ = _e725;
                 }
-                let _e684 = phi_957_;
-                let _e685 = (_e631 - _e658);
-                let _e686 = (_e632 - _e684);
-                let _e695 = select(0i, select(select(i32(_e658), i32(-2147483648), (_e658 < bitcast<f32>(3472883712u))), 2147483647i, (_e658 > bitcast<f32>(1325400063u))), (_e658 == _e658));
-                let _e704 = select(0i, select(select(i32(_e684), i32(-2147483648), (_e684 < bitcast<f32>(3472883712u))), 2147483647i, (_e684 > bitcast<f32>(1325400063u))), (_e684 == _e684));
-                let _e707 = ((1f - _e685) * (1f - _e686));
-                let _e709 = (_e685 * (1f - _e686));
-                let _e711 = ((1f - _e685) * _e686);
-                let _e712 = (_e685 * _e686);
-                let _e714 = p.member.test;
-                let _e715 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e714);
-                let _e717 = p.member.map_size;
-                let _e719 = local_3;
-                local = _e715;
-                let _e722 = ((_e719.level * _e717) * _e717);
-                let _e724 = (bitcast<i32>(_e717) - 1i);
-                if (_e695 > 0i) {
-                    phi_1006_ = _e695;
-                } else {
-                    phi_1006_ = 0i;
-                }
-                let _e727 = phi_1006_;
-                if (_e704 > 0i) {
-                    phi_1011_ = _e704;
-                } else {
-                    phi_1011_ = 0i;
-                }
-                let _e730 = phi_1011_;
-                if (_e727 < _e724) {
-                    phi_1016_ = _e727;
-                } else {
-                    phi_1016_ = _e724;
-                }
-                let _e733 = phi_1016_;
-                if (_e730 < _e724) {
-                    phi_1021_ = _e730;
-                } else {
-                    phi_1021_ = _e724;
-                }
-                let _e736 = phi_1021_;
-                let _e737 = bitcast<u32>(_e733);
-                let _e739 = (_e695 + 1i);
-                let _e740 = (_e704 + 1i);
-                if (_e739 > 0i) {
-                    phi_1030_ = _e739;
-                } else {
-                    phi_1030_ = 0i;
-                }
-                let _e743 = phi_1030_;
+                let _e729 = phi_1000_;
+                let _e730 = (_e676 - _e703);
+                let _e731 = (_e677 - _e729);
+                let _e740 = select(0i, select(select(i32(_e703), i32(-2147483648), (_e703 < bitcast<f32>(3472883712u))), 2147483647i, (_e703 > bitcast<f32>(1325400063u))), (_e703 == _e703));
+                let _e749 = select(0i, select(select(i32(_e729), i32(-2147483648), (_e729 < bitcast<f32>(3472883712u))), 2147483647i, (_e729 > bitcast<f32>(1325400063u))), (_e729 == _e729));
+                let _e752 = ((1f - _e730) * (1f - _e731));
+                let _e754 = (_e730 * (1f - _e731));
+                let _e756 = ((1f - _e730) * _e731);
+                let _e757 = (_e730 * _e731);
+                let _e759 = p.member.test;
+                let _e760 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e759);
+                let _e762 = p.member.map_size;
+                let _e764 = local_3;
+                local = _e760;
+                let _e767 = ((_e764.level * _e762) * _e762);
+                let _e769 = (bitcast<i32>(_e762) - 1i);
                 if (_e740 > 0i) {
-                    phi_1035_ = _e740;
+                    phi_1049_ = _e740;
                 } else {
-                    phi_1035_ = 0i;
+                    phi_1049_ = 0i;
                 }
-                let _e746 = phi_1035_;
-                if (_e743 < _e724) {
-                    phi_1040_ = _e743;
+                let _e772 = phi_1049_;
+                if (_e749 > 0i) {
+                    phi_1054_ = _e749;
                 } else {
-                    phi_1040_ = _e724;
+                    phi_1054_ = 0i;
                 }
-                let _e749 = phi_1040_;
-                if (_e746 < _e724) {
-                    phi_1045_ = _e746;
+                let _e775 = phi_1054_;
+                if (_e772 < _e769) {
+                    phi_1059_ = _e772;
                 } else {
-                    phi_1045_ = _e724;
+                    phi_1059_ = _e769;
                 }
-                let _e752 = phi_1045_;
-                let _e753 = bitcast<u32>(_e749);
-                let _e755 = (bitcast<u32>(_e736) * _e717);
-                let _e756 = (bitcast<u32>(_e752) * _e717);
-                let _e761 = ((_e755 + _e737) + _e722);
-                let _e762 = ((_e755 + _e753) + _e722);
-                let _e763 = ((_e756 + _e737) + _e722);
-                let _e764 = ((_e756 + _e753) + _e722);
-                if (_e761 < _e60) {
+                let _e778 = phi_1059_;
+                if (_e775 < _e769) {
+                    phi_1064_ = _e775;
+                } else {
+                    phi_1064_ = _e769;
+                }
+                let _e781 = phi_1064_;
+                let _e782 = bitcast<u32>(_e778);
+                let _e784 = (_e740 + 1i);
+                let _e785 = (_e749 + 1i);
+                if (_e784 > 0i) {
+                    phi_1073_ = _e784;
+                } else {
+                    phi_1073_ = 0i;
+                }
+                let _e788 = phi_1073_;
+                if (_e785 > 0i) {
+                    phi_1078_ = _e785;
+                } else {
+                    phi_1078_ = 0i;
+                }
+                let _e791 = phi_1078_;
+                if (_e788 < _e769) {
+                    phi_1083_ = _e788;
+                } else {
+                    phi_1083_ = _e769;
+                }
+                let _e794 = phi_1083_;
+                if (_e791 < _e769) {
+                    phi_1088_ = _e791;
+                } else {
+                    phi_1088_ = _e769;
+                }
+                let _e797 = phi_1088_;
+                let _e798 = bitcast<u32>(_e794);
+                let _e800 = (bitcast<u32>(_e781) * _e762);
+                let _e801 = (bitcast<u32>(_e797) * _e762);
+                let _e806 = ((_e800 + _e782) + _e767);
+                let _e807 = ((_e800 + _e798) + _e767);
+                let _e808 = ((_e801 + _e782) + _e767);
+                let _e809 = ((_e801 + _e798) + _e767);
+                if (_e806 < _e60) {
                 } else {
                     return;
                 }
-                let _e768 = map.member[(0u + _e761)];
-                if (_e762 < _e60) {
+                let _e813 = map.member[(0u + _e806)];
+                if (_e807 < _e60) {
                 } else {
                     return;
                 }
-                let _e780 = map.member[(0u + _e762)];
-                if (_e763 < _e60) {
+                let _e825 = map.member[(0u + _e807)];
+                if (_e808 < _e60) {
                 } else {
                     return;
                 }
-                let _e796 = map.member[(0u + _e763)];
-                if (_e764 < _e60) {
+                let _e841 = map.member[(0u + _e808)];
+                if (_e809 < _e60) {
                 } else {
                     return;
                 }
-                let _e812 = map.member[(0u + _e764)];
-                let _e826 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e768.x * _e707) + (_e780.x * _e709)) + (_e796.x * _e711)) + (_e812.x * _e712)), ((((_e768.y * _e707) + (_e780.y * _e709)) + (_e796.y * _e711)) + (_e812.y * _e712)), ((((_e768.z * _e707) + (_e780.z * _e709)) + (_e796.z * _e711)) + (_e812.z * _e712)), ((((_e768.w * _e707) + (_e780.w * _e709)) + (_e796.w * _e711)) + (_e812.w * _e712))), _e621);
-                let _e828 = p.member.fade_uv;
-                if (_e828 > 0f) {
-                    let _e831 = local_4;
-                    if ((_e831.level + 1u) == _e78) {
-                        let _e840 = p.member.fade_uv;
-                        let _e842 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e387.point.uv.x, (1f - _e387.point.uv.x));
-                        let _e844 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e387.point.uv.y, (1f - _e387.point.uv.y));
-                        let _e845 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e842, _e844);
-                        if (_e845 < _e840) {
-                            phi_1161_ = (1f - ((1f - _e826) * (_e845 / _e840)));
-                        } else {
-                            phi_1161_ = _e826;
-                        }
-                        let _e852 = phi_1161_;
-                        phi_1163_ = evaluate_Verdict(_e852, false);
-                        phi_1164_ = false;
-                    } else {
-                        phi_1163_ = evaluate_Verdict();
-                        phi_1164_ = true;
-                    }
-                    let _e855 = phi_1163_;
-                    let _e857 = phi_1164_;
-                    phi_1165_ = _e855;
-                    phi_1166_ = _e857;
-                } else {
-                    phi_1165_ = evaluate_Verdict();
-                    phi_1166_ = true;
-                }
-                let _e859 = phi_1165_;
-                let _e861 = phi_1166_;
-                if _e861 {
-                    phi_1171_ = evaluate_Verdict(_e826, false);
-                    phi_1172_ = false;
-                } else {
-                    phi_1171_ = evaluate_Verdict();
-                    phi_1172_ = true;
-                }
-                let _e864 = phi_1171_;
-                let _e866 = phi_1172_;
-                phi_1174_ = _e864;
-                phi_1175_ = _e859;
-                phi_1176_ = _e866;
+                let _e857 = map.member[(0u + _e809)];
+                let _e871 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e813.x * _e752) + (_e825.x * _e754)) + (_e841.x * _e756)) + (_e857.x * _e757)), ((((_e813.y * _e752) + (_e825.y * _e754)) + (_e841.y * _e756)) + (_e857.y * _e757)), ((((_e813.z * _e752) + (_e825.z * _e754)) + (_e841.z * _e756)) + (_e857.z * _e757)), ((((_e813.w * _e752) + (_e825.w * _e754)) + (_e841.w * _e756)) + (_e857.w * _e757))), _e666);
+                phi_1177_ = evaluate_Verdict(_e871, false);
+                phi_1178_ = evaluate_Verdict();
+                phi_1179_ = false;
             } else {
-                phi_1174_ = evaluate_Verdict();
-                phi_1175_ = evaluate_Verdict(1f, false);
-                phi_1176_ = true;
+                phi_1177_ = evaluate_Verdict();
+                phi_1178_ = evaluate_Verdict(1f, false);
+                phi_1179_ = true;
             }
-            let _e869 = phi_1174_;
-            let _e871 = phi_1175_;
-            let _e873 = phi_1176_;
-            if _e873 {
-            }
-            phi_1180_ = _e871;
-            phi_1181_ = _e869;
-            phi_1182_ = _e873;
+            let _e875 = phi_1177_;
+            let _e877 = phi_1178_;
+            let _e879 = phi_1179_;
+            phi_1180_ = _e877;
+            phi_1181_ = _e875;
+            phi_1182_ = _e879;
         }
-        let _e875 = phi_1180_;
-        let _e877 = phi_1181_;
-        let _e879 = phi_1182_;
-        if _e879 {
-            phi_1186_ = _e875;
+        let _e881 = phi_1180_;
+        let _e883 = phi_1181_;
+        let _e885 = phi_1182_;
+        if _e885 {
+            phi_1186_ = _e881;
         } else {
-            phi_1186_ = _e877;
+            phi_1186_ = _e883;
         }
-        let _e881 = phi_1186_;
+        let _e887 = phi_1186_;
         if (_e72.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e72.first_primitive)] = _e881.visibility;
+        visibility.member[(0u + _e72.first_primitive)] = _e887.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,18 +48,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_28 {
+struct type_30 {
     member: abi_ShadowParams,
 }
 
@@ -63,43 +72,43 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_28;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_140_: lt_bvh_traverse_Tree;
-    var phi_141_: bool;
-    var phi_142_: lt_bvh_traverse_Tree;
-    var phi_143_: bool;
-    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_144_: lt_bvh_traverse_Tree;
+    var phi_145_: bool;
+    var phi_146_: lt_bvh_traverse_Tree;
+    var phi_147_: bool;
+    var phi_152_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_140_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_141_ = false;
+            phi_144_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_145_ = false;
         } else {
-            phi_140_ = lt_bvh_traverse_Tree();
-            phi_141_ = true;
+            phi_144_ = lt_bvh_traverse_Tree();
+            phi_145_ = true;
         }
-        let _e59 = phi_140_;
-        let _e61 = phi_141_;
-        phi_142_ = _e59;
-        phi_143_ = _e61;
+        let _e59 = phi_144_;
+        let _e61 = phi_145_;
+        phi_146_ = _e59;
+        phi_147_ = _e61;
     } else {
-        phi_142_ = lt_bvh_traverse_Tree();
-        phi_143_ = true;
+        phi_146_ = lt_bvh_traverse_Tree();
+        phi_147_ = true;
     }
-    let _e63 = phi_142_;
-    let _e65 = phi_143_;
+    let _e63 = phi_146_;
+    let _e65 = phi_147_;
     if _e65 {
-        phi_148_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_152_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_148_ = _e63;
+        phi_152_ = _e63;
     }
-    let _e70 = phi_148_;
+    let _e70 = phi_152_;
     return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
@@ -108,455 +117,461 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_168_: bool;
-    var phi_172_: f32;
+    var phi_172_: bool;
+    var phi_176_: f32;
 
     let _e47 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_168_ = true;
+        phi_172_ = true;
     } else {
         let _e51 = (84f < _e47);
         if _e51 {
         }
-        phi_168_ = _e51;
+        phi_172_ = _e51;
     }
-    let _e53 = phi_168_;
+    let _e53 = phi_172_;
     if _e53 {
-        phi_172_ = 84f;
+        phi_176_ = 84f;
     } else {
-        phi_172_ = _e47;
+        phi_176_ = _e47;
     }
-    let _e55 = phi_172_;
+    let _e55 = phi_176_;
     return _e55;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_193_: f32;
-    var phi_194_: f32;
-    var phi_195_: f32;
-    var phi_211_: f32;
-    var phi_212_: f32;
-    var phi_213_: f32;
-    var phi_229_: f32;
-    var phi_230_: f32;
-    var phi_231_: f32;
-    var phi_247_: f32;
-    var phi_248_: f32;
-    var phi_249_: f32;
-    var phi_265_: f32;
-    var phi_266_: f32;
-    var phi_267_: f32;
-    var phi_286_: f32;
-    var phi_291_: f32;
-    var phi_313_: f32;
-    var phi_318_: f32;
-    var phi_319_: bool;
-    var phi_320_: f32;
-    var phi_321_: bool;
-    var phi_325_: f32;
-    var phi_363_: f32;
-    var phi_374_: f32;
-    var phi_379_: f32;
-    var phi_401_: f32;
-    var phi_406_: f32;
-    var phi_407_: bool;
-    var phi_408_: f32;
-    var phi_409_: bool;
-    var phi_413_: f32;
-    var phi_451_: f32;
-    var phi_462_: f32;
-    var phi_467_: f32;
-    var phi_489_: f32;
-    var phi_494_: f32;
-    var phi_495_: bool;
-    var phi_496_: f32;
-    var phi_497_: bool;
-    var phi_501_: f32;
-    var phi_539_: f32;
-    var phi_550_: f32;
-    var phi_555_: f32;
-    var phi_577_: f32;
-    var phi_582_: f32;
-    var phi_583_: bool;
-    var phi_584_: f32;
-    var phi_585_: bool;
-    var phi_589_: f32;
-    var phi_627_: f32;
-    var phi_653_: f32;
-    var phi_654_: f32;
-    var phi_655_: f32;
+    var phi_197_: f32;
+    var phi_198_: f32;
+    var phi_199_: f32;
+    var phi_215_: f32;
+    var phi_216_: f32;
+    var phi_217_: f32;
+    var phi_233_: f32;
+    var phi_234_: f32;
+    var phi_235_: f32;
+    var phi_251_: f32;
+    var phi_252_: f32;
+    var phi_253_: f32;
+    var phi_269_: f32;
+    var phi_270_: f32;
+    var phi_271_: f32;
+    var phi_290_: f32;
+    var phi_295_: f32;
+    var phi_317_: f32;
+    var phi_322_: f32;
+    var phi_323_: bool;
+    var phi_324_: f32;
+    var phi_325_: bool;
+    var phi_329_: f32;
+    var phi_367_: f32;
+    var phi_378_: f32;
+    var phi_383_: f32;
+    var phi_405_: f32;
+    var phi_410_: f32;
+    var phi_411_: bool;
+    var phi_412_: f32;
+    var phi_413_: bool;
+    var phi_417_: f32;
+    var phi_455_: f32;
+    var phi_466_: f32;
+    var phi_471_: f32;
+    var phi_493_: f32;
+    var phi_498_: f32;
+    var phi_499_: bool;
+    var phi_500_: f32;
+    var phi_501_: bool;
+    var phi_505_: f32;
+    var phi_543_: f32;
+    var phi_554_: f32;
+    var phi_559_: f32;
+    var phi_581_: f32;
+    var phi_586_: f32;
+    var phi_587_: bool;
+    var phi_588_: f32;
+    var phi_589_: bool;
+    var phi_593_: f32;
+    var phi_631_: f32;
+    var phi_657_: f32;
+    var phi_658_: f32;
+    var phi_659_: f32;
 
     let _e50 = _lt_math_esm_Esm_clamped_exponent(param_5);
     if ((bitcast<u32>(param_8) & 2147483647u) > 2139095040u) {
-        phi_195_ = param_8;
+        phi_199_ = param_8;
     } else {
         if (param_8 < 0f) {
-            phi_194_ = 0f;
+            phi_198_ = 0f;
         } else {
             if (param_8 > 1f) {
-                phi_193_ = 1f;
+                phi_197_ = 1f;
             } else {
-                phi_193_ = param_8;
+                phi_197_ = param_8;
             }
-            let _e57 = phi_193_;
-            phi_194_ = _e57;
+            let _e57 = phi_197_;
+            phi_198_ = _e57;
         }
-        let _e59 = phi_194_;
-        phi_195_ = _e59;
+        let _e59 = phi_198_;
+        phi_199_ = _e59;
     }
-    let _e61 = phi_195_;
+    let _e61 = phi_199_;
     if ((bitcast<u32>(param_6.x) & 2147483647u) > 2139095040u) {
-        phi_213_ = param_6.x;
+        phi_217_ = param_6.x;
     } else {
         if (param_6.x < 0f) {
-            phi_212_ = 0f;
+            phi_216_ = 0f;
         } else {
             if (param_6.x > 1f) {
-                phi_211_ = 1f;
+                phi_215_ = 1f;
             } else {
-                phi_211_ = param_6.x;
+                phi_215_ = param_6.x;
             }
-            let _e69 = phi_211_;
-            phi_212_ = _e69;
+            let _e69 = phi_215_;
+            phi_216_ = _e69;
         }
-        let _e71 = phi_212_;
-        phi_213_ = _e71;
+        let _e71 = phi_216_;
+        phi_217_ = _e71;
     }
-    let _e73 = phi_213_;
+    let _e73 = phi_217_;
     if ((bitcast<u32>(param_6.y) & 2147483647u) > 2139095040u) {
-        phi_231_ = param_6.y;
+        phi_235_ = param_6.y;
     } else {
         if (param_6.y < 0f) {
-            phi_230_ = 0f;
+            phi_234_ = 0f;
         } else {
             if (param_6.y > 1f) {
-                phi_229_ = 1f;
+                phi_233_ = 1f;
             } else {
-                phi_229_ = param_6.y;
+                phi_233_ = param_6.y;
             }
-            let _e81 = phi_229_;
-            phi_230_ = _e81;
+            let _e81 = phi_233_;
+            phi_234_ = _e81;
         }
-        let _e83 = phi_230_;
-        phi_231_ = _e83;
+        let _e83 = phi_234_;
+        phi_235_ = _e83;
     }
-    let _e85 = phi_231_;
+    let _e85 = phi_235_;
     if ((bitcast<u32>(param_6.z) & 2147483647u) > 2139095040u) {
-        phi_249_ = param_6.z;
+        phi_253_ = param_6.z;
     } else {
         if (param_6.z < 0f) {
-            phi_248_ = 0f;
+            phi_252_ = 0f;
         } else {
             if (param_6.z > 1f) {
-                phi_247_ = 1f;
+                phi_251_ = 1f;
             } else {
-                phi_247_ = param_6.z;
+                phi_251_ = param_6.z;
             }
-            let _e93 = phi_247_;
-            phi_248_ = _e93;
+            let _e93 = phi_251_;
+            phi_252_ = _e93;
         }
-        let _e95 = phi_248_;
-        phi_249_ = _e95;
+        let _e95 = phi_252_;
+        phi_253_ = _e95;
     }
-    let _e97 = phi_249_;
+    let _e97 = phi_253_;
     if ((bitcast<u32>(param_6.w) & 2147483647u) > 2139095040u) {
-        phi_267_ = param_6.w;
+        phi_271_ = param_6.w;
     } else {
         if (param_6.w < 0f) {
-            phi_266_ = 0f;
+            phi_270_ = 0f;
         } else {
             if (param_6.w > 1f) {
-                phi_265_ = 1f;
+                phi_269_ = 1f;
             } else {
-                phi_265_ = param_6.w;
+                phi_269_ = param_6.w;
             }
-            let _e105 = phi_265_;
-            phi_266_ = _e105;
+            let _e105 = phi_269_;
+            phi_270_ = _e105;
         }
-        let _e107 = phi_266_;
-        phi_267_ = _e107;
+        let _e107 = phi_270_;
+        phi_271_ = _e107;
     }
-    let _e109 = phi_267_;
+    let _e109 = phi_271_;
     let _e114 = (_e50 * (_e73 - _e61));
     let _e115 = (_e50 * (_e85 - _e61));
     let _e116 = (_e50 * (_e97 - _e61));
     let _e117 = (_e50 * (_e109 - _e61));
     if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
-        phi_363_ = _e114;
+        phi_367_ = _e114;
     } else {
         if (_e114 < -87f) {
-            phi_286_ = -87f;
+            phi_290_ = -87f;
         } else {
-            phi_286_ = _e114;
+            phi_290_ = _e114;
         }
-        let _e123 = phi_286_;
+        let _e123 = phi_290_;
         if (_e123 > 88f) {
-            phi_291_ = 88f;
+            phi_295_ = 88f;
         } else {
-            phi_291_ = _e123;
+            phi_295_ = _e123;
         }
-        let _e126 = phi_291_;
+        let _e126 = phi_295_;
         let _e128 = ((_e126 * 1.442695f) + 0.5f);
         if (_e128 > -8388608f) {
             let _e140 = f32(select(0i, select(select(i32(_e128), i32(-2147483648), (_e128 < bitcast<f32>(3472883712u))), 2147483647i, (_e128 > bitcast<f32>(1325400063u))), (_e128 == _e128)));
             if (_e140 > _e128) {
-                phi_313_ = 1f;
+                phi_317_ = 1f;
             } else {
-                phi_313_ = 0f;
+                phi_317_ = 0f;
             }
-            let _e143 = phi_313_;
+            let _e143 = phi_317_;
             if (_e128 < 8388608f) {
-                phi_318_ = (_e140 - _e143);
-                phi_319_ = false;
+                phi_322_ = (_e140 - _e143);
+                phi_323_ = false;
             } else {
-                phi_318_ = f32();
-                phi_319_ = true;
+                phi_322_ = f32();
+                phi_323_ = true;
             }
-            let _e146 = phi_318_;
-            let _e148 = phi_319_;
-            phi_320_ = _e146;
-            phi_321_ = _e148;
+            let _e146 = phi_322_;
+            let _e148 = phi_323_;
+            phi_324_ = _e146;
+            phi_325_ = _e148;
         } else {
-            phi_320_ = f32();
-            phi_321_ = true;
+            phi_324_ = f32();
+            phi_325_ = true;
         }
-        let _e150 = phi_320_;
-        let _e152 = phi_321_;
+        let _e150 = phi_324_;
+        let _e152 = phi_325_;
         if _e152 {
-            phi_325_ = _e128;
+            phi_329_ = _e128;
         } else {
-            phi_325_ = _e150;
+            phi_329_ = _e150;
         }
-        let _e154 = phi_325_;
+        let _e154 = phi_329_;
         let _e158 = ((_e126 - (_e154 * 0.69314575f)) - (_e154 * 0.0000014286068f));
-        phi_363_ = ((((((((((((((((1f / 5040f) * _e158) + (1f / 720f)) * _e158) + (1f / 120f)) * _e158) + (1f / 24f)) * _e158) + (1f / 6f)) * _e158) + 0.5f) * _e158) + 1f) * _e158) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e154), i32(-2147483648), (_e154 < bitcast<f32>(3472883712u))), 2147483647i, (_e154 > bitcast<f32>(1325400063u))), (_e154 == _e154)) + 127i)) << bitcast<u32>(23i))));
+        phi_367_ = ((((((((((((((((1f / 5040f) * _e158) + (1f / 720f)) * _e158) + (1f / 120f)) * _e158) + (1f / 24f)) * _e158) + (1f / 6f)) * _e158) + 0.5f) * _e158) + 1f) * _e158) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e154), i32(-2147483648), (_e154 < bitcast<f32>(3472883712u))), 2147483647i, (_e154 > bitcast<f32>(1325400063u))), (_e154 == _e154)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e194 = phi_363_;
+    let _e194 = phi_367_;
     if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
-        phi_451_ = _e115;
+        phi_455_ = _e115;
     } else {
         if (_e115 < -87f) {
-            phi_374_ = -87f;
+            phi_378_ = -87f;
         } else {
-            phi_374_ = _e115;
+            phi_378_ = _e115;
         }
-        let _e200 = phi_374_;
+        let _e200 = phi_378_;
         if (_e200 > 88f) {
-            phi_379_ = 88f;
+            phi_383_ = 88f;
         } else {
-            phi_379_ = _e200;
+            phi_383_ = _e200;
         }
-        let _e203 = phi_379_;
+        let _e203 = phi_383_;
         let _e205 = ((_e203 * 1.442695f) + 0.5f);
         if (_e205 > -8388608f) {
             let _e217 = f32(select(0i, select(select(i32(_e205), i32(-2147483648), (_e205 < bitcast<f32>(3472883712u))), 2147483647i, (_e205 > bitcast<f32>(1325400063u))), (_e205 == _e205)));
             if (_e217 > _e205) {
-                phi_401_ = 1f;
+                phi_405_ = 1f;
             } else {
-                phi_401_ = 0f;
+                phi_405_ = 0f;
             }
-            let _e220 = phi_401_;
+            let _e220 = phi_405_;
             if (_e205 < 8388608f) {
-                phi_406_ = (_e217 - _e220);
-                phi_407_ = false;
+                phi_410_ = (_e217 - _e220);
+                phi_411_ = false;
             } else {
-                phi_406_ = f32();
-                phi_407_ = true;
+                phi_410_ = f32();
+                phi_411_ = true;
             }
-            let _e223 = phi_406_;
-            let _e225 = phi_407_;
-            phi_408_ = _e223;
-            phi_409_ = _e225;
+            let _e223 = phi_410_;
+            let _e225 = phi_411_;
+            phi_412_ = _e223;
+            phi_413_ = _e225;
         } else {
-            phi_408_ = f32();
-            phi_409_ = true;
+            phi_412_ = f32();
+            phi_413_ = true;
         }
-        let _e227 = phi_408_;
-        let _e229 = phi_409_;
+        let _e227 = phi_412_;
+        let _e229 = phi_413_;
         if _e229 {
-            phi_413_ = _e205;
+            phi_417_ = _e205;
         } else {
-            phi_413_ = _e227;
+            phi_417_ = _e227;
         }
-        let _e231 = phi_413_;
+        let _e231 = phi_417_;
         let _e235 = ((_e203 - (_e231 * 0.69314575f)) - (_e231 * 0.0000014286068f));
-        phi_451_ = ((((((((((((((((1f / 5040f) * _e235) + (1f / 720f)) * _e235) + (1f / 120f)) * _e235) + (1f / 24f)) * _e235) + (1f / 6f)) * _e235) + 0.5f) * _e235) + 1f) * _e235) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e231), i32(-2147483648), (_e231 < bitcast<f32>(3472883712u))), 2147483647i, (_e231 > bitcast<f32>(1325400063u))), (_e231 == _e231)) + 127i)) << bitcast<u32>(23i))));
+        phi_455_ = ((((((((((((((((1f / 5040f) * _e235) + (1f / 720f)) * _e235) + (1f / 120f)) * _e235) + (1f / 24f)) * _e235) + (1f / 6f)) * _e235) + 0.5f) * _e235) + 1f) * _e235) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e231), i32(-2147483648), (_e231 < bitcast<f32>(3472883712u))), 2147483647i, (_e231 > bitcast<f32>(1325400063u))), (_e231 == _e231)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e271 = phi_451_;
+    let _e271 = phi_455_;
     if ((bitcast<u32>(_e116) & 2147483647u) > 2139095040u) {
-        phi_539_ = _e116;
+        phi_543_ = _e116;
     } else {
         if (_e116 < -87f) {
-            phi_462_ = -87f;
+            phi_466_ = -87f;
         } else {
-            phi_462_ = _e116;
+            phi_466_ = _e116;
         }
-        let _e277 = phi_462_;
+        let _e277 = phi_466_;
         if (_e277 > 88f) {
-            phi_467_ = 88f;
+            phi_471_ = 88f;
         } else {
-            phi_467_ = _e277;
+            phi_471_ = _e277;
         }
-        let _e280 = phi_467_;
+        let _e280 = phi_471_;
         let _e282 = ((_e280 * 1.442695f) + 0.5f);
         if (_e282 > -8388608f) {
             let _e294 = f32(select(0i, select(select(i32(_e282), i32(-2147483648), (_e282 < bitcast<f32>(3472883712u))), 2147483647i, (_e282 > bitcast<f32>(1325400063u))), (_e282 == _e282)));
             if (_e294 > _e282) {
-                phi_489_ = 1f;
+                phi_493_ = 1f;
             } else {
-                phi_489_ = 0f;
+                phi_493_ = 0f;
             }
-            let _e297 = phi_489_;
+            let _e297 = phi_493_;
             if (_e282 < 8388608f) {
-                phi_494_ = (_e294 - _e297);
-                phi_495_ = false;
+                phi_498_ = (_e294 - _e297);
+                phi_499_ = false;
             } else {
-                phi_494_ = f32();
-                phi_495_ = true;
+                phi_498_ = f32();
+                phi_499_ = true;
             }
-            let _e300 = phi_494_;
-            let _e302 = phi_495_;
-            phi_496_ = _e300;
-            phi_497_ = _e302;
+            let _e300 = phi_498_;
+            let _e302 = phi_499_;
+            phi_500_ = _e300;
+            phi_501_ = _e302;
         } else {
-            phi_496_ = f32();
-            phi_497_ = true;
+            phi_500_ = f32();
+            phi_501_ = true;
         }
-        let _e304 = phi_496_;
-        let _e306 = phi_497_;
+        let _e304 = phi_500_;
+        let _e306 = phi_501_;
         if _e306 {
-            phi_501_ = _e282;
+            phi_505_ = _e282;
         } else {
-            phi_501_ = _e304;
+            phi_505_ = _e304;
         }
-        let _e308 = phi_501_;
+        let _e308 = phi_505_;
         let _e312 = ((_e280 - (_e308 * 0.69314575f)) - (_e308 * 0.0000014286068f));
-        phi_539_ = ((((((((((((((((1f / 5040f) * _e312) + (1f / 720f)) * _e312) + (1f / 120f)) * _e312) + (1f / 24f)) * _e312) + (1f / 6f)) * _e312) + 0.5f) * _e312) + 1f) * _e312) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e308), i32(-2147483648), (_e308 < bitcast<f32>(3472883712u))), 2147483647i, (_e308 > bitcast<f32>(1325400063u))), (_e308 == _e308)) + 127i)) << bitcast<u32>(23i))));
+        phi_543_ = ((((((((((((((((1f / 5040f) * _e312) + (1f / 720f)) * _e312) + (1f / 120f)) * _e312) + (1f / 24f)) * _e312) + (1f / 6f)) * _e312) + 0.5f) * _e312) + 1f) * _e312) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e308), i32(-2147483648), (_e308 < bitcast<f32>(3472883712u))), 2147483647i, (_e308 > bitcast<f32>(1325400063u))), (_e308 == _e308)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e348 = phi_539_;
+    let _e348 = phi_543_;
     if ((bitcast<u32>(_e117) & 2147483647u) > 2139095040u) {
-        phi_627_ = _e117;
+        phi_631_ = _e117;
     } else {
         if (_e117 < -87f) {
-            phi_550_ = -87f;
+            phi_554_ = -87f;
         } else {
-            phi_550_ = _e117;
+            phi_554_ = _e117;
         }
-        let _e354 = phi_550_;
+        let _e354 = phi_554_;
         if (_e354 > 88f) {
-            phi_555_ = 88f;
+            phi_559_ = 88f;
         } else {
-            phi_555_ = _e354;
+            phi_559_ = _e354;
         }
-        let _e357 = phi_555_;
+        let _e357 = phi_559_;
         let _e359 = ((_e357 * 1.442695f) + 0.5f);
         if (_e359 > -8388608f) {
             let _e371 = f32(select(0i, select(select(i32(_e359), i32(-2147483648), (_e359 < bitcast<f32>(3472883712u))), 2147483647i, (_e359 > bitcast<f32>(1325400063u))), (_e359 == _e359)));
             if (_e371 > _e359) {
-                phi_577_ = 1f;
+                phi_581_ = 1f;
             } else {
-                phi_577_ = 0f;
+                phi_581_ = 0f;
             }
-            let _e374 = phi_577_;
+            let _e374 = phi_581_;
             if (_e359 < 8388608f) {
-                phi_582_ = (_e371 - _e374);
-                phi_583_ = false;
+                phi_586_ = (_e371 - _e374);
+                phi_587_ = false;
             } else {
-                phi_582_ = f32();
-                phi_583_ = true;
+                phi_586_ = f32();
+                phi_587_ = true;
             }
-            let _e377 = phi_582_;
-            let _e379 = phi_583_;
-            phi_584_ = _e377;
-            phi_585_ = _e379;
+            let _e377 = phi_586_;
+            let _e379 = phi_587_;
+            phi_588_ = _e377;
+            phi_589_ = _e379;
         } else {
-            phi_584_ = f32();
-            phi_585_ = true;
+            phi_588_ = f32();
+            phi_589_ = true;
         }
-        let _e381 = phi_584_;
-        let _e383 = phi_585_;
+        let _e381 = phi_588_;
+        let _e383 = phi_589_;
         if _e383 {
-            phi_589_ = _e359;
+            phi_593_ = _e359;
         } else {
-            phi_589_ = _e381;
+            phi_593_ = _e381;
         }
-        let _e385 = phi_589_;
+        let _e385 = phi_593_;
         let _e389 = ((_e357 - (_e385 * 0.69314575f)) - (_e385 * 0.0000014286068f));
-        phi_627_ = ((((((((((((((((1f / 5040f) * _e389) + (1f / 720f)) * _e389) + (1f / 120f)) * _e389) + (1f / 24f)) * _e389) + (1f / 6f)) * _e389) + 0.5f) * _e389) + 1f) * _e389) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e385), i32(-2147483648), (_e385 < bitcast<f32>(3472883712u))), 2147483647i, (_e385 > bitcast<f32>(1325400063u))), (_e385 == _e385)) + 127i)) << bitcast<u32>(23i))));
+        phi_631_ = ((((((((((((((((1f / 5040f) * _e389) + (1f / 720f)) * _e389) + (1f / 120f)) * _e389) + (1f / 24f)) * _e389) + (1f / 6f)) * _e389) + 0.5f) * _e389) + 1f) * _e389) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e385), i32(-2147483648), (_e385 < bitcast<f32>(3472883712u))), 2147483647i, (_e385 > bitcast<f32>(1325400063u))), (_e385 == _e385)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e425 = phi_627_;
+    let _e425 = phi_631_;
     let _e436 = ((((_e194 * param_7.x) + (_e271 * param_7.y)) + (_e348 * param_7.z)) + (_e425 * param_7.w));
     if ((bitcast<u32>(_e436) & 2147483647u) > 2139095040u) {
-        phi_655_ = _e436;
+        phi_659_ = _e436;
     } else {
         if (_e436 < 0f) {
-            phi_654_ = 0f;
+            phi_658_ = 0f;
         } else {
             if (_e436 > 1f) {
-                phi_653_ = 1f;
+                phi_657_ = 1f;
             } else {
-                phi_653_ = _e436;
+                phi_657_ = _e436;
             }
-            let _e443 = phi_653_;
-            phi_654_ = _e443;
+            let _e443 = phi_657_;
+            phi_658_ = _e443;
         }
-        let _e445 = phi_654_;
-        phi_655_ = _e445;
+        let _e445 = phi_658_;
+        phi_659_ = _e445;
     }
-    let _e447 = phi_655_;
+    let _e447 = phi_659_;
     return _e447;
 }
 
 fn function_() {
     var local: f32;
-    var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_714_: bool;
     var phi_715_: bool;
-    var phi_719_: bool;
-    var phi_763_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_767_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_841_: bool;
-    var phi_850_: bool;
-    var phi_859_: bool;
-    var phi_860_: bool;
-    var phi_861_: bool;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_864_: bool;
-    var phi_865_: bool;
-    var phi_869_: bool;
-    var phi_959_: f32;
-    var phi_962_: f32;
-    var phi_991_: f32;
-    var phi_996_: f32;
-    var phi_997_: bool;
-    var phi_998_: f32;
-    var phi_999_: bool;
-    var phi_1003_: f32;
-    var phi_1023_: f32;
-    var phi_1028_: f32;
-    var phi_1029_: bool;
-    var phi_1030_: f32;
-    var phi_1031_: bool;
-    var phi_1035_: f32;
-    var phi_1083_: i32;
-    var phi_1088_: i32;
-    var phi_1093_: i32;
-    var phi_1098_: i32;
-    var phi_1107_: i32;
-    var phi_1112_: i32;
-    var phi_1117_: i32;
-    var phi_1122_: i32;
-    var phi_1173_: bool;
-    var phi_1181_: bool;
-    var phi_1193_: bool;
-    var phi_1194_: bool;
-    var phi_1198_: f32;
-    var phi_1204_: f32;
-    var phi_1206_: evaluate_Verdict;
-    var phi_1211_: evaluate_Verdict;
-    var phi_1212_: evaluate_Verdict;
+    var phi_716_: bool;
+    var phi_717_: bool;
+    var phi_718_: bool;
+    var phi_722_: bool;
+    var phi_792_: bool;
+    var phi_793_: bool;
+    var phi_804_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_805_: bool;
+    var phi_806_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_807_: bool;
+    var phi_814_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_818_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_892_: bool;
+    var phi_901_: bool;
+    var phi_910_: bool;
+    var phi_911_: bool;
+    var phi_912_: bool;
+    var phi_913_: bool;
+    var phi_914_: bool;
+    var phi_915_: bool;
+    var phi_916_: bool;
+    var phi_920_: bool;
+    var phi_1010_: f32;
+    var phi_1013_: f32;
+    var phi_1042_: f32;
+    var phi_1047_: f32;
+    var phi_1048_: bool;
+    var phi_1049_: f32;
+    var phi_1050_: bool;
+    var phi_1054_: f32;
+    var phi_1074_: f32;
+    var phi_1079_: f32;
+    var phi_1080_: bool;
+    var phi_1081_: f32;
+    var phi_1082_: bool;
+    var phi_1086_: f32;
+    var phi_1134_: i32;
+    var phi_1139_: i32;
+    var phi_1144_: i32;
+    var phi_1149_: i32;
+    var phi_1158_: i32;
+    var phi_1163_: i32;
+    var phi_1168_: i32;
+    var phi_1173_: i32;
+    var phi_1224_: bool;
+    var phi_1232_: bool;
+    var phi_1244_: bool;
+    var phi_1245_: bool;
+    var phi_1249_: f32;
+    var phi_1255_: f32;
+    var phi_1257_: evaluate_Verdict;
+    var phi_1262_: evaluate_Verdict;
+    var phi_1263_: evaluate_Verdict;
 
     let _e47 = id_1;
     let _e54 = arrayLength((&map.member));
@@ -570,344 +585,383 @@ fn function_() {
             return;
         }
         let _e73 = lt_math_OneLevel(_e69);
-        let _e75 = p.member.light;
-        let _e78 = samples.member[(0u + _e63.first_primitive)].normal[0u];
-        let _e80 = global[0u];
-        if (_e78 == _e80) {
-            let _e83 = samples.member[(0u + _e63.first_primitive)].normal[1u];
-            let _e85 = global[1u];
-            if (_e83 == _e85) {
-                let _e88 = samples.member[(0u + _e63.first_primitive)].normal[2u];
-                let _e90 = global[2u];
-                phi_712_ = (_e88 == _e90);
-                phi_713_ = false;
+        let _e77 = samples.member[(0u + _e63.first_primitive)].normal[0u];
+        let _e79 = global[0u];
+        if (_e77 == _e79) {
+            let _e82 = samples.member[(0u + _e63.first_primitive)].normal[1u];
+            let _e84 = global[1u];
+            if (_e82 == _e84) {
+                let _e87 = samples.member[(0u + _e63.first_primitive)].normal[2u];
+                let _e89 = global[2u];
+                phi_715_ = (_e87 == _e89);
+                phi_716_ = false;
             } else {
-                phi_712_ = bool();
-                phi_713_ = true;
+                phi_715_ = bool();
+                phi_716_ = true;
             }
-            let _e93 = phi_712_;
-            let _e95 = phi_713_;
-            phi_714_ = _e93;
-            phi_715_ = _e95;
+            let _e92 = phi_715_;
+            let _e94 = phi_716_;
+            phi_717_ = _e92;
+            phi_718_ = _e94;
         } else {
-            phi_714_ = bool();
-            phi_715_ = true;
+            phi_717_ = bool();
+            phi_718_ = true;
         }
-        let _e97 = phi_714_;
-        let _e99 = phi_715_;
-        if _e99 {
-            phi_719_ = false;
+        let _e96 = phi_717_;
+        let _e98 = phi_718_;
+        if _e98 {
+            phi_722_ = false;
         } else {
-            phi_719_ = _e97;
+            phi_722_ = _e96;
         }
-        let _e101 = phi_719_;
-        if !(_e101) {
-            let _e104 = samples.member[(0u + _e63.first_primitive)].normal;
-            let _e106 = samples.member[(0u + _e63.first_primitive)].position;
-            if ((((_e104.x * (_e75.x - (_e106.x * _e75.w))) + (_e104.y * (_e75.y - (_e106.y * _e75.w)))) + (_e104.z * (_e75.z - (_e106.z * _e75.w)))) > 0f) {
-                let _e130 = samples.member[(0u + _e63.first_primitive)].flags;
-                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
-                phi_763_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, ((_e130 & 1u) == 0u));
-            } else {
-                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
-                phi_763_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
-            }
-            let _e164 = phi_763_;
-            phi_767_ = _e164;
-        } else {
-            let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
-            phi_767_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, true);
-        }
-        let _e181 = phi_767_;
-        if _e181.unnamed_1 {
-            phi_1212_ = evaluate_Verdict(_e181.unnamed.visibility, _e181.unnamed.is_doubted);
-        } else {
-            let _e189 = samples.member[(0u + _e63.first_primitive)].position;
-            let _e207 = ((((_e73.projection.row_w.x * _e189.x) + (_e73.projection.row_w.y * _e189.y)) + (_e73.projection.row_w.z * _e189.z)) + (_e73.projection.row_w.w * 1f));
-            let _e221 = (((((_e73.projection.row_x.x * _e189.x) + (_e73.projection.row_x.y * _e189.y)) + (_e73.projection.row_x.z * _e189.z)) + (_e73.projection.row_x.w * 1f)) / _e207);
-            let _e235 = (((((_e73.projection.row_y.x * _e189.x) + (_e73.projection.row_y.y * _e189.y)) + (_e73.projection.row_y.z * _e189.z)) + (_e73.projection.row_y.w * 1f)) / _e207);
-            let _e248 = ((((_e73.projection.row_z.x * _e189.x) + (_e73.projection.row_z.y * _e189.y)) + (_e73.projection.row_z.z * _e189.z)) + (_e73.projection.row_z.w * 1f));
-            if (_e207 > 0f) {
-                if (_e221 >= 0f) {
-                    phi_841_ = (_e221 <= 1f);
+        let _e100 = phi_722_;
+        if !(_e100) {
+            let _e103 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e105 = p.member.light.place;
+            let _e111 = p.member.light.place[3u];
+            let _e118 = (_e105.x - (_e103.x * _e111));
+            let _e119 = (_e105.y - (_e103.y * _e111));
+            let _e120 = (_e105.z - (_e103.z * _e111));
+            let _e122 = samples.member[(0u + _e63.first_primitive)].normal;
+            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
+                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
+                let _e138 = p.member.light.axis;
+                let _e150 = p.member.light.place[3u];
+                if (_e150 == 0f) {
+                    phi_793_ = true;
                 } else {
-                    phi_841_ = false;
-                }
-                let _e253 = phi_841_;
-                if _e253 {
-                    if (_e235 >= 0f) {
-                        phi_850_ = (_e235 <= 1f);
+                    let _e153 = p.member.light.range_squared;
+                    if (_e136 <= _e153) {
+                        let _e156 = p.member.light.cos_outer;
+                        phi_792_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
                     } else {
-                        phi_850_ = false;
+                        phi_792_ = false;
                     }
-                    let _e257 = phi_850_;
-                    if _e257 {
-                        if (_e248 >= 0f) {
-                            phi_859_ = (_e248 <= 1f);
+                    let _e161 = phi_792_;
+                    phi_793_ = _e161;
+                }
+                let _e163 = phi_793_;
+                if _e163 {
+                    let _e165 = samples.member[(0u + _e63.first_primitive)].flags;
+                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
+                    phi_804_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
+                    phi_805_ = false;
+                } else {
+                    phi_804_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_805_ = true;
+                }
+                let _e184 = phi_804_;
+                let _e186 = phi_805_;
+                phi_806_ = _e184;
+                phi_807_ = _e186;
+            } else {
+                phi_806_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_807_ = true;
+            }
+            let _e188 = phi_806_;
+            let _e190 = phi_807_;
+            if _e190 {
+                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
+                phi_814_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+            } else {
+                phi_814_ = _e188;
+            }
+            let _e207 = phi_814_;
+            phi_818_ = _e207;
+        } else {
+            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
+            phi_818_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+        }
+        let _e224 = phi_818_;
+        if _e224.unnamed_1 {
+            phi_1263_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
+        } else {
+            let _e232 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
+            let _e264 = (((((_e73.projection.row_x.x * _e232.x) + (_e73.projection.row_x.y * _e232.y)) + (_e73.projection.row_x.z * _e232.z)) + (_e73.projection.row_x.w * 1f)) / _e250);
+            let _e278 = (((((_e73.projection.row_y.x * _e232.x) + (_e73.projection.row_y.y * _e232.y)) + (_e73.projection.row_y.z * _e232.z)) + (_e73.projection.row_y.w * 1f)) / _e250);
+            let _e291 = ((((_e73.projection.row_z.x * _e232.x) + (_e73.projection.row_z.y * _e232.y)) + (_e73.projection.row_z.z * _e232.z)) + (_e73.projection.row_z.w * 1f));
+            if (_e250 > 0f) {
+                if (_e264 >= 0f) {
+                    phi_892_ = (_e264 <= 1f);
+                } else {
+                    phi_892_ = false;
+                }
+                let _e296 = phi_892_;
+                if _e296 {
+                    if (_e278 >= 0f) {
+                        phi_901_ = (_e278 <= 1f);
+                    } else {
+                        phi_901_ = false;
+                    }
+                    let _e300 = phi_901_;
+                    if _e300 {
+                        if (_e291 >= 0f) {
+                            phi_910_ = (_e291 <= 1f);
                         } else {
-                            phi_859_ = false;
+                            phi_910_ = false;
                         }
-                        let _e261 = phi_859_;
-                        phi_860_ = _e261;
-                        phi_861_ = false;
+                        let _e304 = phi_910_;
+                        phi_911_ = _e304;
+                        phi_912_ = false;
                     } else {
-                        phi_860_ = bool();
-                        phi_861_ = true;
+                        phi_911_ = bool();
+                        phi_912_ = true;
                     }
-                    let _e263 = phi_860_;
-                    let _e265 = phi_861_;
-                    phi_862_ = _e263;
-                    phi_863_ = _e265;
+                    let _e306 = phi_911_;
+                    let _e308 = phi_912_;
+                    phi_913_ = _e306;
+                    phi_914_ = _e308;
                 } else {
-                    phi_862_ = bool();
-                    phi_863_ = true;
+                    phi_913_ = bool();
+                    phi_914_ = true;
                 }
-                let _e267 = phi_862_;
-                let _e269 = phi_863_;
-                phi_864_ = _e267;
-                phi_865_ = _e269;
+                let _e310 = phi_913_;
+                let _e312 = phi_914_;
+                phi_915_ = _e310;
+                phi_916_ = _e312;
             } else {
-                phi_864_ = bool();
-                phi_865_ = true;
+                phi_915_ = bool();
+                phi_916_ = true;
             }
-            let _e271 = phi_864_;
-            let _e273 = phi_865_;
-            if _e273 {
-                phi_869_ = false;
+            let _e314 = phi_915_;
+            let _e316 = phi_916_;
+            if _e316 {
+                phi_920_ = false;
             } else {
-                phi_869_ = _e271;
+                phi_920_ = _e314;
             }
-            let _e275 = phi_869_;
-            if _e275 {
+            let _e318 = phi_920_;
+            if _e318 {
                 if (0f > 0f) {
-                    let _e278 = samples.member[(0u + _e63.first_primitive)].normal;
-                    let _e280 = p.member.map_size;
-                    let _e350 = ((abs(((((_e69.row_x.x * _e278.x) + (_e69.row_x.y * _e278.y)) + (_e69.row_x.z * _e278.z)) / (((_e69.row_x.x * _e69.row_x.x) + (_e69.row_x.y * _e69.row_x.y)) + (_e69.row_x.z * _e69.row_x.z)))) + abs(((((_e69.row_y.x * _e278.x) + (_e69.row_y.y * _e278.y)) + (_e69.row_y.z * _e278.z)) / (((_e69.row_y.x * _e69.row_y.x) + (_e69.row_y.y * _e69.row_y.y)) + (_e69.row_y.z * _e69.row_y.z))))) / (abs(((((_e69.row_z.x * _e278.x) + (_e69.row_z.y * _e278.y)) + (_e69.row_z.z * _e278.z)) / (((_e69.row_z.x * _e69.row_z.x) + (_e69.row_z.y * _e69.row_z.y)) + (_e69.row_z.z * _e69.row_z.z)))) * f32(_e280)));
-                    if (_e350 < 0.002f) {
-                        phi_959_ = _e350;
+                    let _e321 = samples.member[(0u + _e63.first_primitive)].normal;
+                    let _e323 = p.member.map_size;
+                    let _e393 = ((abs(((((_e69.row_x.x * _e321.x) + (_e69.row_x.y * _e321.y)) + (_e69.row_x.z * _e321.z)) / (((_e69.row_x.x * _e69.row_x.x) + (_e69.row_x.y * _e69.row_x.y)) + (_e69.row_x.z * _e69.row_x.z)))) + abs(((((_e69.row_y.x * _e321.x) + (_e69.row_y.y * _e321.y)) + (_e69.row_y.z * _e321.z)) / (((_e69.row_y.x * _e69.row_y.x) + (_e69.row_y.y * _e69.row_y.y)) + (_e69.row_y.z * _e69.row_y.z))))) / (abs(((((_e69.row_z.x * _e321.x) + (_e69.row_z.y * _e321.y)) + (_e69.row_z.z * _e321.z)) / (((_e69.row_z.x * _e69.row_z.x) + (_e69.row_z.y * _e69.row_z.y)) + (_e69.row_z.z * _e69.row_z.z)))) * f32(_e323)));
+                    if (_e393 < 0.002f) {
+                        phi_1010_ = _e393;
                     } else {
-                        phi_959_ = 0.002f;
+                        phi_1010_ = 0.002f;
                     }
-                    let _e353 = phi_959_;
-                    phi_962_ = (_e248 - (0f * _e353));
+                    let _e396 = phi_1010_;
+                    phi_1013_ = (_e291 - (0f * _e396));
                 } else {
-                    phi_962_ = _e248;
+                    phi_1013_ = _e291;
                 }
-                let _e357 = phi_962_;
-                let _e359 = p.member.map_size;
-                let _e360 = f32(_e359);
-                let _e363 = ((_e221 * _e360) - 0.5f);
-                let _e364 = ((_e235 * _e360) - 0.5f);
-                if (_e363 > -8388608f) {
-                    let _e376 = f32(select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < bitcast<f32>(3472883712u))), 2147483647i, (_e363 > bitcast<f32>(1325400063u))), (_e363 == _e363)));
-                    if (_e376 > _e363) {
-                        phi_991_ = 1f;
+                let _e400 = phi_1013_;
+                let _e402 = p.member.map_size;
+                let _e403 = f32(_e402);
+                let _e406 = ((_e264 * _e403) - 0.5f);
+                let _e407 = ((_e278 * _e403) - 0.5f);
+                if (_e406 > -8388608f) {
+                    let _e419 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
+                    if (_e419 > _e406) {
+                        phi_1042_ = 1f;
                     } else {
-                        phi_991_ = 0f;
+                        phi_1042_ = 0f;
                     }
-                    let _e379 = phi_991_;
-                    if (_e363 < 8388608f) {
-                        phi_996_ = (_e376 - _e379);
-                        phi_997_ = false;
+                    let _e422 = phi_1042_;
+                    if (_e406 < 8388608f) {
+                        phi_1047_ = (_e419 - _e422);
+                        phi_1048_ = false;
                     } else {
-                        phi_996_ = f32();
-                        phi_997_ = true;
+                        phi_1047_ = f32();
+                        phi_1048_ = true;
                     }
-                    let _e382 = phi_996_;
-                    let _e384 = phi_997_;
-                    phi_998_ = _e382;
-                    phi_999_ = _e384;
+                    let _e425 = phi_1047_;
+                    let _e427 = phi_1048_;
+                    phi_1049_ = _e425;
+                    phi_1050_ = _e427;
                 } else {
-                    phi_998_ = f32();
-                    phi_999_ = true;
+                    phi_1049_ = f32();
+                    phi_1050_ = true;
                 }
-                let _e386 = phi_998_;
-                let _e388 = phi_999_;
-                if _e388 {
-                    phi_1003_ = _e363;
+                let _e429 = phi_1049_;
+                let _e431 = phi_1050_;
+                if _e431 {
+                    phi_1054_ = _e406;
                 } else {
-                    phi_1003_ = _e386;
+                    phi_1054_ = _e429;
                 }
-                let _e390 = phi_1003_;
-                if (_e364 > -8388608f) {
-                    let _e402 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
-                    if (_e402 > _e364) {
-                        phi_1023_ = 1f;
+                let _e433 = phi_1054_;
+                if (_e407 > -8388608f) {
+                    let _e445 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
+                    if (_e445 > _e407) {
+                        phi_1074_ = 1f;
                     } else {
-                        phi_1023_ = 0f;
+                        phi_1074_ = 0f;
                     }
-                    let _e405 = phi_1023_;
-                    if (_e364 < 8388608f) {
-                        phi_1028_ = (_e402 - _e405);
-                        phi_1029_ = false;
+                    let _e448 = phi_1074_;
+                    if (_e407 < 8388608f) {
+                        phi_1079_ = (_e445 - _e448);
+                        phi_1080_ = false;
                     } else {
-                        phi_1028_ = f32();
-                        phi_1029_ = true;
+                        phi_1079_ = f32();
+                        phi_1080_ = true;
                     }
-                    let _e408 = phi_1028_;
-                    let _e410 = phi_1029_;
-                    phi_1030_ = _e408;
-                    phi_1031_ = _e410;
+                    let _e451 = phi_1079_;
+                    let _e453 = phi_1080_;
+                    phi_1081_ = _e451;
+                    phi_1082_ = _e453;
                 } else {
-                    phi_1030_ = f32();
-                    phi_1031_ = true;
+                    phi_1081_ = f32();
+                    phi_1082_ = true;
                 }
-                let _e412 = phi_1030_;
-                let _e414 = phi_1031_;
-                if _e414 {
-                    phi_1035_ = _e364;
+                let _e455 = phi_1081_;
+                let _e457 = phi_1082_;
+                if _e457 {
+                    phi_1086_ = _e407;
                 } else {
-                    phi_1035_ = _e412;
+                    phi_1086_ = _e455;
                 }
-                let _e416 = phi_1035_;
-                let _e417 = (_e363 - _e390);
-                let _e418 = (_e364 - _e416);
-                let _e427 = select(0i, select(select(i32(_e390), i32(-2147483648), (_e390 < bitcast<f32>(3472883712u))), 2147483647i, (_e390 > bitcast<f32>(1325400063u))), (_e390 == _e390));
-                let _e436 = select(0i, select(select(i32(_e416), i32(-2147483648), (_e416 < bitcast<f32>(3472883712u))), 2147483647i, (_e416 > bitcast<f32>(1325400063u))), (_e416 == _e416));
-                let _e447 = p.member.test;
-                let _e448 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e447);
-                let _e450 = p.member.map_size;
-                local = _e448;
-                let _e452 = ((0u * _e450) * _e450);
-                let _e454 = (bitcast<i32>(_e450) - 1i);
-                if (_e427 > 0i) {
-                    phi_1083_ = _e427;
-                } else {
-                    phi_1083_ = 0i;
-                }
-                let _e457 = phi_1083_;
-                if (_e436 > 0i) {
-                    phi_1088_ = _e436;
-                } else {
-                    phi_1088_ = 0i;
-                }
-                let _e460 = phi_1088_;
-                if (_e457 < _e454) {
-                    phi_1093_ = _e457;
-                } else {
-                    phi_1093_ = _e454;
-                }
-                let _e463 = phi_1093_;
-                if (_e460 < _e454) {
-                    phi_1098_ = _e460;
-                } else {
-                    phi_1098_ = _e454;
-                }
-                let _e466 = phi_1098_;
-                let _e467 = bitcast<u32>(_e463);
-                let _e469 = (_e427 + 1i);
-                let _e470 = (_e436 + 1i);
-                if (_e469 > 0i) {
-                    phi_1107_ = _e469;
-                } else {
-                    phi_1107_ = 0i;
-                }
-                let _e473 = phi_1107_;
+                let _e459 = phi_1086_;
+                let _e460 = (_e406 - _e433);
+                let _e461 = (_e407 - _e459);
+                let _e470 = select(0i, select(select(i32(_e433), i32(-2147483648), (_e433 < bitcast<f32>(3472883712u))), 2147483647i, (_e433 > bitcast<f32>(1325400063u))), (_e433 == _e433));
+                let _e479 = select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < bitcast<f32>(3472883712u))), 2147483647i, (_e459 > bitcast<f32>(1325400063u))), (_e459 == _e459));
+                let _e490 = p.member.test;
+                let _e491 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e490);
+                let _e493 = p.member.map_size;
+                local = _e491;
+                let _e495 = ((0u * _e493) * _e493);
+                let _e497 = (bitcast<i32>(_e493) - 1i);
                 if (_e470 > 0i) {
-                    phi_1112_ = _e470;
+                    phi_1134_ = _e470;
                 } else {
-                    phi_1112_ = 0i;
+                    phi_1134_ = 0i;
                 }
-                let _e476 = phi_1112_;
-                if (_e473 < _e454) {
-                    phi_1117_ = _e473;
+                let _e500 = phi_1134_;
+                if (_e479 > 0i) {
+                    phi_1139_ = _e479;
                 } else {
-                    phi_1117_ = _e454;
+                    phi_1139_ = 0i;
                 }
-                let _e479 = phi_1117_;
-                if (_e476 < _e454) {
-                    phi_1122_ = _e476;
+                let _e503 = phi_1139_;
+                if (_e500 < _e497) {
+                    phi_1144_ = _e500;
                 } else {
-                    phi_1122_ = _e454;
+                    phi_1144_ = _e497;
                 }
-                let _e482 = phi_1122_;
-                let _e483 = bitcast<u32>(_e479);
-                let _e485 = (bitcast<u32>(_e466) * _e450);
-                let _e486 = (bitcast<u32>(_e482) * _e450);
-                let _e491 = ((_e485 + _e467) + _e452);
-                let _e492 = ((_e485 + _e483) + _e452);
-                let _e493 = ((_e486 + _e467) + _e452);
-                let _e494 = ((_e486 + _e483) + _e452);
-                if (_e491 < _e54) {
+                let _e506 = phi_1144_;
+                if (_e503 < _e497) {
+                    phi_1149_ = _e503;
+                } else {
+                    phi_1149_ = _e497;
+                }
+                let _e509 = phi_1149_;
+                let _e510 = bitcast<u32>(_e506);
+                let _e512 = (_e470 + 1i);
+                let _e513 = (_e479 + 1i);
+                if (_e512 > 0i) {
+                    phi_1158_ = _e512;
+                } else {
+                    phi_1158_ = 0i;
+                }
+                let _e516 = phi_1158_;
+                if (_e513 > 0i) {
+                    phi_1163_ = _e513;
+                } else {
+                    phi_1163_ = 0i;
+                }
+                let _e519 = phi_1163_;
+                if (_e516 < _e497) {
+                    phi_1168_ = _e516;
+                } else {
+                    phi_1168_ = _e497;
+                }
+                let _e522 = phi_1168_;
+                if (_e519 < _e497) {
+                    phi_1173_ = _e519;
+                } else {
+                    phi_1173_ = _e497;
+                }
+                let _e525 = phi_1173_;
+                let _e526 = bitcast<u32>(_e522);
+                let _e528 = (bitcast<u32>(_e509) * _e493);
+                let _e529 = (bitcast<u32>(_e525) * _e493);
+                let _e534 = ((_e528 + _e510) + _e495);
+                let _e535 = ((_e528 + _e526) + _e495);
+                let _e536 = ((_e529 + _e510) + _e495);
+                let _e537 = ((_e529 + _e526) + _e495);
+                if (_e534 < _e54) {
                 } else {
                     return;
                 }
-                let _e498 = map.member[(0u + _e491)];
-                if (_e492 < _e54) {
+                let _e541 = map.member[(0u + _e534)];
+                if (_e535 < _e54) {
                 } else {
                     return;
                 }
-                let _e502 = map.member[(0u + _e492)];
-                if (_e493 < _e54) {
+                let _e545 = map.member[(0u + _e535)];
+                if (_e536 < _e54) {
                 } else {
                     return;
                 }
-                let _e506 = map.member[(0u + _e493)];
-                if (_e494 < _e54) {
+                let _e549 = map.member[(0u + _e536)];
+                if (_e537 < _e54) {
                 } else {
                     return;
                 }
-                let _e510 = map.member[(0u + _e494)];
-                let _e512 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e498, _e502, _e506, _e510), vec4<f32>(((1f - _e417) * (1f - _e418)), (_e417 * (1f - _e418)), ((1f - _e417) * _e418), (_e417 * _e418)), _e357);
-                let _e514 = p.member.epsilon;
-                if (_e512 <= _e514) {
-                    phi_1173_ = true;
+                let _e553 = map.member[(0u + _e537)];
+                let _e555 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e541, _e545, _e549, _e553), vec4<f32>(((1f - _e460) * (1f - _e461)), (_e460 * (1f - _e461)), ((1f - _e460) * _e461), (_e460 * _e461)), _e400);
+                let _e557 = p.member.epsilon;
+                if (_e555 <= _e557) {
+                    phi_1224_ = true;
                 } else {
-                    phi_1173_ = (_e512 >= (1f - _e514));
+                    phi_1224_ = (_e555 >= (1f - _e557));
                 }
-                let _e519 = phi_1173_;
-                if ((bitcast<u32>(_e512) & 2147483647u) > 2139095040u) {
-                    phi_1181_ = true;
+                let _e562 = phi_1224_;
+                if ((bitcast<u32>(_e555) & 2147483647u) > 2139095040u) {
+                    phi_1232_ = true;
                 } else {
-                    phi_1181_ = !(_e519);
+                    phi_1232_ = !(_e562);
                 }
-                let _e525 = phi_1181_;
-                if _e525 {
-                    if (_e512 > 0f) {
-                        if (_e512 < 1f) {
-                            phi_1193_ = false;
+                let _e568 = phi_1232_;
+                if _e568 {
+                    if (_e555 > 0f) {
+                        if (_e555 < 1f) {
+                            phi_1244_ = false;
                         } else {
-                            phi_1193_ = true;
+                            phi_1244_ = true;
                         }
-                        let _e529 = phi_1193_;
-                        phi_1194_ = _e529;
+                        let _e572 = phi_1244_;
+                        phi_1245_ = _e572;
                     } else {
-                        phi_1194_ = true;
+                        phi_1245_ = true;
                     }
-                    let _e531 = phi_1194_;
-                    if _e531 {
-                        phi_1198_ = 0.5f;
+                    let _e574 = phi_1245_;
+                    if _e574 {
+                        phi_1249_ = 0.5f;
                     } else {
-                        phi_1198_ = _e512;
+                        phi_1249_ = _e555;
                     }
-                    let _e533 = phi_1198_;
-                    phi_1206_ = evaluate_Verdict(_e533, true);
+                    let _e576 = phi_1249_;
+                    phi_1257_ = evaluate_Verdict(_e576, true);
                 } else {
-                    if (_e512 > 0.5f) {
-                        phi_1204_ = 1f;
+                    if (_e555 > 0.5f) {
+                        phi_1255_ = 1f;
                     } else {
-                        phi_1204_ = 0f;
+                        phi_1255_ = 0f;
                     }
-                    let _e537 = phi_1204_;
-                    phi_1206_ = evaluate_Verdict(_e537, false);
+                    let _e580 = phi_1255_;
+                    phi_1257_ = evaluate_Verdict(_e580, false);
                 }
-                let _e540 = phi_1206_;
-                phi_1211_ = evaluate_Verdict(_e540.visibility, _e540.is_doubted);
+                let _e583 = phi_1257_;
+                phi_1262_ = evaluate_Verdict(_e583.visibility, _e583.is_doubted);
             } else {
-                phi_1211_ = evaluate_Verdict(0.5f, true);
+                phi_1262_ = evaluate_Verdict(0.5f, true);
             }
-            let _e546 = phi_1211_;
-            phi_1212_ = _e546;
+            let _e589 = phi_1262_;
+            phi_1263_ = _e589;
         }
-        let _e548 = phi_1212_;
+        let _e591 = phi_1263_;
         if (_e63.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e63.first_primitive)] = _e548.visibility;
+        visibility.member[(0u + _e63.first_primitive)] = _e591.visibility;
     }
     return;
 }

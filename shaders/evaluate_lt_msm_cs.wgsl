@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,18 +48,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_28 {
+struct type_30 {
     member: abi_ShadowParams,
 }
 
@@ -68,43 +77,43 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_28;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_131_: lt_bvh_traverse_Tree;
-    var phi_132_: bool;
-    var phi_133_: lt_bvh_traverse_Tree;
-    var phi_134_: bool;
-    var phi_139_: lt_bvh_traverse_Tree;
+    var phi_134_: lt_bvh_traverse_Tree;
+    var phi_135_: bool;
+    var phi_136_: lt_bvh_traverse_Tree;
+    var phi_137_: bool;
+    var phi_142_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_131_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_132_ = false;
+            phi_134_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_135_ = false;
         } else {
-            phi_131_ = lt_bvh_traverse_Tree();
-            phi_132_ = true;
+            phi_134_ = lt_bvh_traverse_Tree();
+            phi_135_ = true;
         }
-        let _e49 = phi_131_;
-        let _e51 = phi_132_;
-        phi_133_ = _e49;
-        phi_134_ = _e51;
+        let _e49 = phi_134_;
+        let _e51 = phi_135_;
+        phi_136_ = _e49;
+        phi_137_ = _e51;
     } else {
-        phi_133_ = lt_bvh_traverse_Tree();
-        phi_134_ = true;
+        phi_136_ = lt_bvh_traverse_Tree();
+        phi_137_ = true;
     }
-    let _e53 = phi_133_;
-    let _e55 = phi_134_;
+    let _e53 = phi_136_;
+    let _e55 = phi_137_;
     if _e55 {
-        phi_139_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_142_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_139_ = _e53;
+        phi_142_ = _e53;
     }
-    let _e60 = phi_139_;
+    let _e60 = phi_142_;
     return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
 }
 
@@ -113,205 +122,205 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_166_: f32;
-    var phi_167_: f32;
-    var phi_168_: f32;
-    var phi_185_: f32;
-    var phi_186_: f32;
-    var phi_187_: f32;
-    var phi_203_: f32;
-    var phi_204_: f32;
-    var phi_205_: f32;
-    var phi_221_: f32;
-    var phi_222_: f32;
-    var phi_223_: f32;
-    var phi_239_: f32;
-    var phi_240_: f32;
-    var phi_241_: f32;
-    var phi_276_: bool;
-    var phi_277_: bool;
-    var phi_278_: bool;
+    var phi_169_: f32;
+    var phi_170_: f32;
+    var phi_171_: f32;
+    var phi_188_: f32;
+    var phi_189_: f32;
+    var phi_190_: f32;
+    var phi_206_: f32;
+    var phi_207_: f32;
+    var phi_208_: f32;
+    var phi_224_: f32;
+    var phi_225_: f32;
+    var phi_226_: f32;
+    var phi_242_: f32;
+    var phi_243_: f32;
+    var phi_244_: f32;
     var phi_279_: bool;
     var phi_280_: bool;
     var phi_281_: bool;
-    var phi_285_: bool;
-    var phi_596_: f32;
-    var phi_597_: f32;
-    var phi_598_: f32;
-    var phi_615_: f32;
-    var phi_616_: f32;
-    var phi_617_: f32;
-    var phi_634_: f32;
-    var phi_635_: f32;
-    var phi_636_: f32;
-    var phi_653_: f32;
-    var phi_654_: f32;
-    var phi_655_: f32;
-    var phi_678_: f32;
-    var phi_679_: f32;
-    var phi_680_: f32;
-    var phi_691_: f32;
-    var phi_706_: f32;
-    var phi_708_: lt_bvh_slab_Span;
-    var phi_766_: f32;
-    var phi_767_: f32;
-    var phi_768_: f32;
+    var phi_282_: bool;
+    var phi_283_: bool;
+    var phi_284_: bool;
+    var phi_288_: bool;
+    var phi_599_: f32;
+    var phi_600_: f32;
+    var phi_601_: f32;
+    var phi_618_: f32;
+    var phi_619_: f32;
+    var phi_620_: f32;
+    var phi_637_: f32;
+    var phi_638_: f32;
+    var phi_639_: f32;
+    var phi_656_: f32;
+    var phi_657_: f32;
+    var phi_658_: f32;
+    var phi_681_: f32;
+    var phi_682_: f32;
+    var phi_683_: f32;
+    var phi_694_: f32;
+    var phi_709_: f32;
+    var phi_711_: lt_bvh_slab_Span;
     var phi_769_: f32;
     var phi_770_: f32;
-    var phi_771_: bool;
-    var phi_775_: f32;
-    var phi_790_: f32;
-    var phi_791_: f32;
-    var phi_792_: f32;
+    var phi_771_: f32;
+    var phi_772_: f32;
+    var phi_773_: f32;
+    var phi_774_: bool;
+    var phi_778_: f32;
     var phi_793_: f32;
     var phi_794_: f32;
     var phi_795_: f32;
     var phi_796_: f32;
-    var phi_797_: bool;
+    var phi_797_: f32;
     var phi_798_: f32;
     var phi_799_: f32;
     var phi_800_: bool;
-    var phi_804_: f32;
+    var phi_801_: f32;
+    var phi_802_: f32;
+    var phi_803_: bool;
+    var phi_807_: f32;
 
     let _e40 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_168_ = param_7;
+        phi_171_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_167_ = 0f;
+            phi_170_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_166_ = 1f;
+                phi_169_ = 1f;
             } else {
-                phi_166_ = param_7;
+                phi_169_ = param_7;
             }
-            let _e47 = phi_166_;
-            phi_167_ = _e47;
+            let _e47 = phi_169_;
+            phi_170_ = _e47;
         }
-        let _e49 = phi_167_;
-        phi_168_ = _e49;
+        let _e49 = phi_170_;
+        phi_171_ = _e49;
     }
-    let _e51 = phi_168_;
+    let _e51 = phi_171_;
     let _e52 = (_e51 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_187_ = param_5.x;
+        phi_190_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_186_ = 0f;
+            phi_189_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_185_ = 1f;
+                phi_188_ = 1f;
             } else {
-                phi_185_ = param_5.x;
+                phi_188_ = param_5.x;
             }
-            let _e60 = phi_185_;
-            phi_186_ = _e60;
+            let _e60 = phi_188_;
+            phi_189_ = _e60;
         }
-        let _e62 = phi_186_;
-        phi_187_ = _e62;
+        let _e62 = phi_189_;
+        phi_190_ = _e62;
     }
-    let _e64 = phi_187_;
+    let _e64 = phi_190_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_205_ = param_5.y;
+        phi_208_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_204_ = 0f;
+            phi_207_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_203_ = 1f;
+                phi_206_ = 1f;
             } else {
-                phi_203_ = param_5.y;
+                phi_206_ = param_5.y;
             }
-            let _e72 = phi_203_;
-            phi_204_ = _e72;
+            let _e72 = phi_206_;
+            phi_207_ = _e72;
         }
-        let _e74 = phi_204_;
-        phi_205_ = _e74;
+        let _e74 = phi_207_;
+        phi_208_ = _e74;
     }
-    let _e76 = phi_205_;
+    let _e76 = phi_208_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_223_ = param_5.z;
+        phi_226_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_222_ = 0f;
+            phi_225_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_221_ = 1f;
+                phi_224_ = 1f;
             } else {
-                phi_221_ = param_5.z;
+                phi_224_ = param_5.z;
             }
-            let _e84 = phi_221_;
-            phi_222_ = _e84;
+            let _e84 = phi_224_;
+            phi_225_ = _e84;
         }
-        let _e86 = phi_222_;
-        phi_223_ = _e86;
+        let _e86 = phi_225_;
+        phi_226_ = _e86;
     }
-    let _e88 = phi_223_;
+    let _e88 = phi_226_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_241_ = param_5.w;
+        phi_244_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_240_ = 0f;
+            phi_243_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_239_ = 1f;
+                phi_242_ = 1f;
             } else {
-                phi_239_ = param_5.w;
+                phi_242_ = param_5.w;
             }
-            let _e96 = phi_239_;
-            phi_240_ = _e96;
+            let _e96 = phi_242_;
+            phi_243_ = _e96;
         }
-        let _e98 = phi_240_;
-        phi_241_ = _e98;
+        let _e98 = phi_243_;
+        phi_244_ = _e98;
     }
-    let _e100 = phi_241_;
+    let _e100 = phi_244_;
     let _e101 = (_e64 - _e52);
     let _e102 = (_e76 - _e52);
     let _e103 = (_e88 - _e52);
     let _e104 = (_e100 - _e52);
     let _e115 = ((((_e101 * param_6.x) + (_e102 * param_6.y)) + (_e103 * param_6.z)) + (_e104 * param_6.w));
     if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
-        phi_798_ = _e115;
-        phi_799_ = f32();
-        phi_800_ = true;
+        phi_801_ = _e115;
+        phi_802_ = f32();
+        phi_803_ = true;
     } else {
         if (_e101 >= 0f) {
             if (_e102 >= 0f) {
                 if (_e103 >= 0f) {
-                    phi_276_ = (_e104 >= 0f);
-                    phi_277_ = false;
+                    phi_279_ = (_e104 >= 0f);
+                    phi_280_ = false;
                 } else {
-                    phi_276_ = bool();
-                    phi_277_ = true;
+                    phi_279_ = bool();
+                    phi_280_ = true;
                 }
-                let _e124 = phi_276_;
-                let _e126 = phi_277_;
-                phi_278_ = _e124;
-                phi_279_ = _e126;
+                let _e124 = phi_279_;
+                let _e126 = phi_280_;
+                phi_281_ = _e124;
+                phi_282_ = _e126;
             } else {
-                phi_278_ = bool();
-                phi_279_ = true;
+                phi_281_ = bool();
+                phi_282_ = true;
             }
-            let _e128 = phi_278_;
-            let _e130 = phi_279_;
-            phi_280_ = _e128;
-            phi_281_ = _e130;
+            let _e128 = phi_281_;
+            let _e130 = phi_282_;
+            phi_283_ = _e128;
+            phi_284_ = _e130;
         } else {
-            phi_280_ = bool();
-            phi_281_ = true;
+            phi_283_ = bool();
+            phi_284_ = true;
         }
-        let _e132 = phi_280_;
-        let _e134 = phi_281_;
+        let _e132 = phi_283_;
+        let _e134 = phi_284_;
         if _e134 {
-            phi_285_ = false;
+            phi_288_ = false;
         } else {
-            phi_285_ = _e132;
+            phi_288_ = _e132;
         }
-        let _e136 = phi_285_;
+        let _e136 = phi_288_;
         if _e136 {
-            phi_795_ = 1f;
-            phi_796_ = f32();
-            phi_797_ = true;
+            phi_798_ = 1f;
+            phi_799_ = f32();
+            phi_800_ = true;
         } else {
             let _e137 = (0.5f * _e40);
             let _e138 = (1f - _e40);
@@ -391,254 +400,260 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e424 = (_e418 < 0.0000000000000000000000000000000001f);
             if _e424 {
                 if ((bitcast<u32>(_e101) & 2147483647u) > 2139095040u) {
-                    phi_598_ = _e101;
+                    phi_601_ = _e101;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_597_ = 0f;
+                        phi_600_ = 0f;
                     } else {
                         if (_e101 < 0f) {
-                            phi_596_ = 0f;
+                            phi_599_ = 0f;
                         } else {
-                            phi_596_ = 1f;
+                            phi_599_ = 1f;
                         }
-                        let _e433 = phi_596_;
-                        phi_597_ = _e433;
+                        let _e433 = phi_599_;
+                        phi_600_ = _e433;
                     }
-                    let _e435 = phi_597_;
-                    phi_598_ = _e435;
+                    let _e435 = phi_600_;
+                    phi_601_ = _e435;
                 }
-                let _e437 = phi_598_;
+                let _e437 = phi_601_;
                 if ((bitcast<u32>(_e102) & 2147483647u) > 2139095040u) {
-                    phi_617_ = _e102;
+                    phi_620_ = _e102;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_616_ = 0f;
+                        phi_619_ = 0f;
                     } else {
                         if (_e102 < 0f) {
-                            phi_615_ = 0f;
+                            phi_618_ = 0f;
                         } else {
-                            phi_615_ = 1f;
+                            phi_618_ = 1f;
                         }
-                        let _e446 = phi_615_;
-                        phi_616_ = _e446;
+                        let _e446 = phi_618_;
+                        phi_619_ = _e446;
                     }
-                    let _e448 = phi_616_;
-                    phi_617_ = _e448;
+                    let _e448 = phi_619_;
+                    phi_620_ = _e448;
                 }
-                let _e450 = phi_617_;
+                let _e450 = phi_620_;
                 if ((bitcast<u32>(_e103) & 2147483647u) > 2139095040u) {
-                    phi_636_ = _e103;
+                    phi_639_ = _e103;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_635_ = 0f;
+                        phi_638_ = 0f;
                     } else {
                         if (_e103 < 0f) {
-                            phi_634_ = 0f;
+                            phi_637_ = 0f;
                         } else {
-                            phi_634_ = 1f;
+                            phi_637_ = 1f;
                         }
-                        let _e459 = phi_634_;
-                        phi_635_ = _e459;
+                        let _e459 = phi_637_;
+                        phi_638_ = _e459;
                     }
-                    let _e461 = phi_635_;
-                    phi_636_ = _e461;
+                    let _e461 = phi_638_;
+                    phi_639_ = _e461;
                 }
-                let _e463 = phi_636_;
+                let _e463 = phi_639_;
                 if ((bitcast<u32>(_e104) & 2147483647u) > 2139095040u) {
-                    phi_655_ = _e104;
+                    phi_658_ = _e104;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_654_ = 0f;
+                        phi_657_ = 0f;
                     } else {
                         if (_e104 < 0f) {
-                            phi_653_ = 0f;
+                            phi_656_ = 0f;
                         } else {
-                            phi_653_ = 1f;
+                            phi_656_ = 1f;
                         }
-                        let _e472 = phi_653_;
-                        phi_654_ = _e472;
+                        let _e472 = phi_656_;
+                        phi_657_ = _e472;
                     }
-                    let _e474 = phi_654_;
-                    phi_655_ = _e474;
+                    let _e474 = phi_657_;
+                    phi_658_ = _e474;
                 }
-                let _e476 = phi_655_;
+                let _e476 = phi_658_;
                 let _e484 = (((((_e437 * _e140) + (_e450 * _e142)) + (_e463 * _e144)) + (_e476 * _e146)) + _e137);
                 if ((bitcast<u32>(_e484) & 2147483647u) > 2139095040u) {
-                    phi_680_ = _e484;
+                    phi_683_ = _e484;
                 } else {
                     if (_e484 < 0f) {
-                        phi_679_ = 0f;
+                        phi_682_ = 0f;
                     } else {
                         if (_e484 > 1f) {
-                            phi_678_ = 1f;
+                            phi_681_ = 1f;
                         } else {
-                            phi_678_ = _e484;
+                            phi_681_ = _e484;
                         }
-                        let _e491 = phi_678_;
-                        phi_679_ = _e491;
+                        let _e491 = phi_681_;
+                        phi_682_ = _e491;
                     }
-                    let _e493 = phi_679_;
-                    phi_680_ = _e493;
+                    let _e493 = phi_682_;
+                    phi_683_ = _e493;
                 }
-                let _e495 = phi_680_;
-                phi_793_ = _e495;
-                phi_794_ = f32();
+                let _e495 = phi_683_;
+                phi_796_ = _e495;
+                phi_797_ = f32();
             } else {
                 let _e497 = ((0.5f * -(((((((((_e201 * (_e101 + _e102)) + (_e205 * (_e101 + _e103))) + (_e229 * (_e101 + _e147))) + (_e241 * (_e101 + _e148))) + ((((_e202 * (_e102 + _e103)) + (_e206 * (_e102 + _e104))) + (_e230 * (_e102 + _e147))) + (_e242 * (_e102 + _e148)))) + ((((_e203 * (_e103 + _e104)) + (_e207 * (_e103 + _e101))) + (_e231 * (_e103 + _e147))) + (_e243 * (_e103 + _e148)))) + ((((_e204 * (_e104 + _e101)) + (_e208 * (_e104 + _e102))) + (_e232 * (_e104 + _e147))) + (_e244 * (_e104 + _e148)))) + (_e415 * (_e147 + _e148))))) / _e418);
                 let _e498 = ((((((((_e201 + _e205) + _e229) + _e241) + (((_e202 + _e206) + _e230) + _e242)) + (((_e203 + _e207) + _e231) + _e243)) + (((_e204 + _e208) + _e232) + _e244)) + _e415) / _e418);
                 let _e500 = ((_e497 * _e497) - _e498);
                 if (_e500 > 0f) {
-                    phi_691_ = sqrt(_e500);
+                    phi_694_ = sqrt(_e500);
                 } else {
-                    phi_691_ = 0f;
+                    phi_694_ = 0f;
                 }
-                let _e504 = phi_691_;
+                let _e504 = phi_694_;
                 if (_e497 > 0f) {
                     let _e507 = (-(_e497) - _e504);
-                    phi_708_ = lt_bvh_slab_Span(_e507, (_e498 / _e507));
+                    phi_711_ = lt_bvh_slab_Span(_e507, (_e498 / _e507));
                 } else {
                     let _e510 = (_e504 - _e497);
                     if (_e510 > 0f) {
-                        phi_706_ = (_e498 / _e510);
+                        phi_709_ = (_e498 / _e510);
                     } else {
-                        phi_706_ = 0f;
+                        phi_709_ = 0f;
                     }
-                    let _e514 = phi_706_;
-                    phi_708_ = lt_bvh_slab_Span(_e514, _e510);
+                    let _e514 = phi_709_;
+                    phi_711_ = lt_bvh_slab_Span(_e514, _e510);
                 }
-                let _e517 = phi_708_;
+                let _e517 = phi_711_;
                 if (_e517.near >= 0f) {
-                    phi_769_ = 1f;
-                    phi_770_ = f32();
-                    phi_771_ = true;
+                    phi_772_ = 1f;
+                    phi_773_ = f32();
+                    phi_774_ = true;
                 } else {
                     let _e521 = (_e517.far <= 0f);
                     if _e521 {
-                        phi_767_ = (_e412 / _e418);
-                        phi_768_ = f32();
+                        phi_770_ = (_e412 / _e418);
+                        phi_771_ = f32();
                     } else {
                         let _e532 = (((((_e140 * _e101) + (_e142 * _e102)) + (_e144 * _e103)) + (_e146 * _e104)) + (_e137 * (_e147 + _e148)));
                         let _e548 = (((((_e140 * (_e101 * _e101)) + (_e142 * (_e102 * _e102))) + (_e144 * (_e103 * _e103))) + (_e146 * (_e104 * _e104))) + (_e137 * ((_e147 * _e147) + (_e148 * _e148))));
                         if (-(_e517.near) <= _e517.far) {
-                            phi_766_ = (1f - (((_e517.near * _e517.near) * ((_e517.far * _e548) - _e532)) / (_e517.far - _e517.near)));
+                            phi_769_ = (1f - (((_e517.near * _e517.near) * ((_e517.far * _e548) - _e532)) / (_e517.far - _e517.near)));
                         } else {
-                            phi_766_ = ((_e412 / _e418) + (((_e517.far * _e517.far) * (_e532 - (_e517.near * _e548))) / (_e517.far - _e517.near)));
+                            phi_769_ = ((_e412 / _e418) + (((_e517.far * _e517.far) * (_e532 - (_e517.near * _e548))) / (_e517.far - _e517.near)));
                         }
-                        let _e567 = phi_766_;
-                        phi_767_ = f32();
-                        phi_768_ = _e567;
+                        let _e567 = phi_769_;
+                        phi_770_ = f32();
+                        phi_771_ = _e567;
                     }
-                    let _e569 = phi_767_;
-                    let _e571 = phi_768_;
-                    phi_769_ = _e569;
-                    phi_770_ = _e571;
-                    phi_771_ = _e521;
+                    let _e569 = phi_770_;
+                    let _e571 = phi_771_;
+                    phi_772_ = _e569;
+                    phi_773_ = _e571;
+                    phi_774_ = _e521;
                 }
-                let _e573 = phi_769_;
-                let _e575 = phi_770_;
-                let _e577 = phi_771_;
+                let _e573 = phi_772_;
+                let _e575 = phi_773_;
+                let _e577 = phi_774_;
                 if _e577 {
-                    phi_775_ = _e573;
+                    phi_778_ = _e573;
                 } else {
-                    phi_775_ = _e575;
+                    phi_778_ = _e575;
                 }
-                let _e579 = phi_775_;
+                let _e579 = phi_778_;
                 if ((bitcast<u32>(_e579) & 2147483647u) > 2139095040u) {
-                    phi_792_ = _e579;
+                    phi_795_ = _e579;
                 } else {
                     if (_e579 < 0f) {
-                        phi_791_ = 0f;
+                        phi_794_ = 0f;
                     } else {
                         if (_e579 > 1f) {
-                            phi_790_ = 1f;
+                            phi_793_ = 1f;
                         } else {
-                            phi_790_ = _e579;
+                            phi_793_ = _e579;
                         }
-                        let _e586 = phi_790_;
-                        phi_791_ = _e586;
+                        let _e586 = phi_793_;
+                        phi_794_ = _e586;
                     }
-                    let _e588 = phi_791_;
-                    phi_792_ = _e588;
+                    let _e588 = phi_794_;
+                    phi_795_ = _e588;
                 }
-                let _e590 = phi_792_;
-                phi_793_ = f32();
-                phi_794_ = _e590;
+                let _e590 = phi_795_;
+                phi_796_ = f32();
+                phi_797_ = _e590;
             }
-            let _e592 = phi_793_;
-            let _e594 = phi_794_;
-            phi_795_ = _e592;
-            phi_796_ = _e594;
-            phi_797_ = _e424;
+            let _e592 = phi_796_;
+            let _e594 = phi_797_;
+            phi_798_ = _e592;
+            phi_799_ = _e594;
+            phi_800_ = _e424;
         }
-        let _e596 = phi_795_;
-        let _e598 = phi_796_;
-        let _e600 = phi_797_;
-        phi_798_ = _e596;
-        phi_799_ = _e598;
-        phi_800_ = _e600;
+        let _e596 = phi_798_;
+        let _e598 = phi_799_;
+        let _e600 = phi_800_;
+        phi_801_ = _e596;
+        phi_802_ = _e598;
+        phi_803_ = _e600;
     }
-    let _e602 = phi_798_;
-    let _e604 = phi_799_;
-    let _e606 = phi_800_;
+    let _e602 = phi_801_;
+    let _e604 = phi_802_;
+    let _e606 = phi_803_;
     if _e606 {
-        phi_804_ = _e602;
+        phi_807_ = _e602;
     } else {
-        phi_804_ = _e604;
+        phi_807_ = _e604;
     }
-    let _e608 = phi_804_;
+    let _e608 = phi_807_;
     return _e608;
 }
 
 fn function_() {
     var local: f32;
-    var phi_861_: bool;
-    var phi_862_: bool;
     var phi_863_: bool;
     var phi_864_: bool;
-    var phi_868_: bool;
-    var phi_912_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_916_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_990_: bool;
-    var phi_999_: bool;
-    var phi_1008_: bool;
-    var phi_1009_: bool;
-    var phi_1010_: bool;
-    var phi_1011_: bool;
-    var phi_1012_: bool;
-    var phi_1013_: bool;
-    var phi_1014_: bool;
-    var phi_1018_: bool;
-    var phi_1108_: f32;
-    var phi_1111_: f32;
-    var phi_1140_: f32;
-    var phi_1145_: f32;
-    var phi_1146_: bool;
-    var phi_1147_: f32;
-    var phi_1148_: bool;
-    var phi_1152_: f32;
-    var phi_1172_: f32;
-    var phi_1177_: f32;
-    var phi_1178_: bool;
-    var phi_1179_: f32;
-    var phi_1180_: bool;
-    var phi_1184_: f32;
-    var phi_1232_: i32;
-    var phi_1237_: i32;
-    var phi_1242_: i32;
-    var phi_1247_: i32;
-    var phi_1256_: i32;
-    var phi_1261_: i32;
-    var phi_1266_: i32;
-    var phi_1271_: i32;
-    var phi_1322_: bool;
-    var phi_1330_: bool;
-    var phi_1342_: bool;
-    var phi_1343_: bool;
-    var phi_1347_: f32;
-    var phi_1353_: f32;
-    var phi_1355_: evaluate_Verdict;
-    var phi_1360_: evaluate_Verdict;
-    var phi_1361_: evaluate_Verdict;
+    var phi_865_: bool;
+    var phi_866_: bool;
+    var phi_870_: bool;
+    var phi_940_: bool;
+    var phi_941_: bool;
+    var phi_952_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_953_: bool;
+    var phi_954_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_955_: bool;
+    var phi_962_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_966_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1040_: bool;
+    var phi_1049_: bool;
+    var phi_1058_: bool;
+    var phi_1059_: bool;
+    var phi_1060_: bool;
+    var phi_1061_: bool;
+    var phi_1062_: bool;
+    var phi_1063_: bool;
+    var phi_1064_: bool;
+    var phi_1068_: bool;
+    var phi_1158_: f32;
+    var phi_1161_: f32;
+    var phi_1190_: f32;
+    var phi_1195_: f32;
+    var phi_1196_: bool;
+    var phi_1197_: f32;
+    var phi_1198_: bool;
+    var phi_1202_: f32;
+    var phi_1222_: f32;
+    var phi_1227_: f32;
+    var phi_1228_: bool;
+    var phi_1229_: f32;
+    var phi_1230_: bool;
+    var phi_1234_: f32;
+    var phi_1282_: i32;
+    var phi_1287_: i32;
+    var phi_1292_: i32;
+    var phi_1297_: i32;
+    var phi_1306_: i32;
+    var phi_1311_: i32;
+    var phi_1316_: i32;
+    var phi_1321_: i32;
+    var phi_1372_: bool;
+    var phi_1380_: bool;
+    var phi_1392_: bool;
+    var phi_1393_: bool;
+    var phi_1397_: f32;
+    var phi_1403_: f32;
+    var phi_1405_: evaluate_Verdict;
+    var phi_1410_: evaluate_Verdict;
+    var phi_1411_: evaluate_Verdict;
 
     let _e37 = id_1;
     let _e44 = arrayLength((&map.member));
@@ -652,344 +667,383 @@ fn function_() {
             return;
         }
         let _e63 = lt_math_OneLevel(_e59);
-        let _e65 = p.member.light;
-        let _e68 = samples.member[(0u + _e53.first_primitive)].normal[0u];
-        let _e70 = global[0u];
-        if (_e68 == _e70) {
-            let _e73 = samples.member[(0u + _e53.first_primitive)].normal[1u];
-            let _e75 = global[1u];
-            if (_e73 == _e75) {
-                let _e78 = samples.member[(0u + _e53.first_primitive)].normal[2u];
-                let _e80 = global[2u];
-                phi_861_ = (_e78 == _e80);
-                phi_862_ = false;
+        let _e67 = samples.member[(0u + _e53.first_primitive)].normal[0u];
+        let _e69 = global[0u];
+        if (_e67 == _e69) {
+            let _e72 = samples.member[(0u + _e53.first_primitive)].normal[1u];
+            let _e74 = global[1u];
+            if (_e72 == _e74) {
+                let _e77 = samples.member[(0u + _e53.first_primitive)].normal[2u];
+                let _e79 = global[2u];
+                phi_863_ = (_e77 == _e79);
+                phi_864_ = false;
             } else {
-                phi_861_ = bool();
-                phi_862_ = true;
+                phi_863_ = bool();
+                phi_864_ = true;
             }
-            let _e83 = phi_861_;
-            let _e85 = phi_862_;
-            phi_863_ = _e83;
-            phi_864_ = _e85;
+            let _e82 = phi_863_;
+            let _e84 = phi_864_;
+            phi_865_ = _e82;
+            phi_866_ = _e84;
         } else {
-            phi_863_ = bool();
-            phi_864_ = true;
+            phi_865_ = bool();
+            phi_866_ = true;
         }
-        let _e87 = phi_863_;
-        let _e89 = phi_864_;
-        if _e89 {
-            phi_868_ = false;
+        let _e86 = phi_865_;
+        let _e88 = phi_866_;
+        if _e88 {
+            phi_870_ = false;
         } else {
-            phi_868_ = _e87;
+            phi_870_ = _e86;
         }
-        let _e91 = phi_868_;
-        if !(_e91) {
-            let _e94 = samples.member[(0u + _e53.first_primitive)].normal;
-            let _e96 = samples.member[(0u + _e53.first_primitive)].position;
-            if ((((_e94.x * (_e65.x - (_e96.x * _e65.w))) + (_e94.y * (_e65.y - (_e96.y * _e65.w)))) + (_e94.z * (_e65.z - (_e96.z * _e65.w)))) > 0f) {
-                let _e120 = samples.member[(0u + _e53.first_primitive)].flags;
-                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e128.unnamed.visibility, false), _e128.unnamed_1);
-                phi_912_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e134.unnamed, ((_e120 & 1u) == 0u));
-            } else {
-                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
-                phi_912_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, true);
-            }
-            let _e154 = phi_912_;
-            phi_916_ = _e154;
-        } else {
-            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
-            phi_916_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, true);
-        }
-        let _e171 = phi_916_;
-        if _e171.unnamed_1 {
-            phi_1361_ = evaluate_Verdict(_e171.unnamed.visibility, _e171.unnamed.is_doubted);
-        } else {
-            let _e179 = samples.member[(0u + _e53.first_primitive)].position;
-            let _e197 = ((((_e63.projection.row_w.x * _e179.x) + (_e63.projection.row_w.y * _e179.y)) + (_e63.projection.row_w.z * _e179.z)) + (_e63.projection.row_w.w * 1f));
-            let _e211 = (((((_e63.projection.row_x.x * _e179.x) + (_e63.projection.row_x.y * _e179.y)) + (_e63.projection.row_x.z * _e179.z)) + (_e63.projection.row_x.w * 1f)) / _e197);
-            let _e225 = (((((_e63.projection.row_y.x * _e179.x) + (_e63.projection.row_y.y * _e179.y)) + (_e63.projection.row_y.z * _e179.z)) + (_e63.projection.row_y.w * 1f)) / _e197);
-            let _e238 = ((((_e63.projection.row_z.x * _e179.x) + (_e63.projection.row_z.y * _e179.y)) + (_e63.projection.row_z.z * _e179.z)) + (_e63.projection.row_z.w * 1f));
-            if (_e197 > 0f) {
-                if (_e211 >= 0f) {
-                    phi_990_ = (_e211 <= 1f);
+        let _e90 = phi_870_;
+        if !(_e90) {
+            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e95 = p.member.light.place;
+            let _e101 = p.member.light.place[3u];
+            let _e108 = (_e95.x - (_e93.x * _e101));
+            let _e109 = (_e95.y - (_e93.y * _e101));
+            let _e110 = (_e95.z - (_e93.z * _e101));
+            let _e112 = samples.member[(0u + _e53.first_primitive)].normal;
+            if ((((_e112.x * _e108) + (_e112.y * _e109)) + (_e112.z * _e110)) > 0f) {
+                let _e126 = (((_e108 * _e108) + (_e109 * _e109)) + (_e110 * _e110));
+                let _e128 = p.member.light.axis;
+                let _e140 = p.member.light.place[3u];
+                if (_e140 == 0f) {
+                    phi_941_ = true;
                 } else {
-                    phi_990_ = false;
-                }
-                let _e243 = phi_990_;
-                if _e243 {
-                    if (_e225 >= 0f) {
-                        phi_999_ = (_e225 <= 1f);
+                    let _e143 = p.member.light.range_squared;
+                    if (_e126 <= _e143) {
+                        let _e146 = p.member.light.cos_outer;
+                        phi_940_ = (-((((_e108 * _e128.x) + (_e109 * _e128.y)) + (_e110 * _e128.z))) >= (_e146 * sqrt(_e126)));
                     } else {
-                        phi_999_ = false;
+                        phi_940_ = false;
                     }
-                    let _e247 = phi_999_;
-                    if _e247 {
-                        if (_e238 >= 0f) {
-                            phi_1008_ = (_e238 <= 1f);
+                    let _e151 = phi_940_;
+                    phi_941_ = _e151;
+                }
+                let _e153 = phi_941_;
+                if _e153 {
+                    let _e155 = samples.member[(0u + _e53.first_primitive)].flags;
+                    let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e163.unnamed.visibility, false), _e163.unnamed_1);
+                    phi_952_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e169.unnamed, ((_e155 & 1u) == 0u));
+                    phi_953_ = false;
+                } else {
+                    phi_952_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_953_ = true;
+                }
+                let _e174 = phi_952_;
+                let _e176 = phi_953_;
+                phi_954_ = _e174;
+                phi_955_ = _e176;
+            } else {
+                phi_954_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_955_ = true;
+            }
+            let _e178 = phi_954_;
+            let _e180 = phi_955_;
+            if _e180 {
+                let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
+                phi_962_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, true);
+            } else {
+                phi_962_ = _e178;
+            }
+            let _e197 = phi_962_;
+            phi_966_ = _e197;
+        } else {
+            let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
+            phi_966_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
+        }
+        let _e214 = phi_966_;
+        if _e214.unnamed_1 {
+            phi_1411_ = evaluate_Verdict(_e214.unnamed.visibility, _e214.unnamed.is_doubted);
+        } else {
+            let _e222 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e240 = ((((_e63.projection.row_w.x * _e222.x) + (_e63.projection.row_w.y * _e222.y)) + (_e63.projection.row_w.z * _e222.z)) + (_e63.projection.row_w.w * 1f));
+            let _e254 = (((((_e63.projection.row_x.x * _e222.x) + (_e63.projection.row_x.y * _e222.y)) + (_e63.projection.row_x.z * _e222.z)) + (_e63.projection.row_x.w * 1f)) / _e240);
+            let _e268 = (((((_e63.projection.row_y.x * _e222.x) + (_e63.projection.row_y.y * _e222.y)) + (_e63.projection.row_y.z * _e222.z)) + (_e63.projection.row_y.w * 1f)) / _e240);
+            let _e281 = ((((_e63.projection.row_z.x * _e222.x) + (_e63.projection.row_z.y * _e222.y)) + (_e63.projection.row_z.z * _e222.z)) + (_e63.projection.row_z.w * 1f));
+            if (_e240 > 0f) {
+                if (_e254 >= 0f) {
+                    phi_1040_ = (_e254 <= 1f);
+                } else {
+                    phi_1040_ = false;
+                }
+                let _e286 = phi_1040_;
+                if _e286 {
+                    if (_e268 >= 0f) {
+                        phi_1049_ = (_e268 <= 1f);
+                    } else {
+                        phi_1049_ = false;
+                    }
+                    let _e290 = phi_1049_;
+                    if _e290 {
+                        if (_e281 >= 0f) {
+                            phi_1058_ = (_e281 <= 1f);
                         } else {
-                            phi_1008_ = false;
+                            phi_1058_ = false;
                         }
-                        let _e251 = phi_1008_;
-                        phi_1009_ = _e251;
-                        phi_1010_ = false;
+                        let _e294 = phi_1058_;
+                        phi_1059_ = _e294;
+                        phi_1060_ = false;
                     } else {
-                        phi_1009_ = bool();
-                        phi_1010_ = true;
+                        phi_1059_ = bool();
+                        phi_1060_ = true;
                     }
-                    let _e253 = phi_1009_;
-                    let _e255 = phi_1010_;
-                    phi_1011_ = _e253;
-                    phi_1012_ = _e255;
+                    let _e296 = phi_1059_;
+                    let _e298 = phi_1060_;
+                    phi_1061_ = _e296;
+                    phi_1062_ = _e298;
                 } else {
-                    phi_1011_ = bool();
-                    phi_1012_ = true;
+                    phi_1061_ = bool();
+                    phi_1062_ = true;
                 }
-                let _e257 = phi_1011_;
-                let _e259 = phi_1012_;
-                phi_1013_ = _e257;
-                phi_1014_ = _e259;
+                let _e300 = phi_1061_;
+                let _e302 = phi_1062_;
+                phi_1063_ = _e300;
+                phi_1064_ = _e302;
             } else {
-                phi_1013_ = bool();
-                phi_1014_ = true;
+                phi_1063_ = bool();
+                phi_1064_ = true;
             }
-            let _e261 = phi_1013_;
-            let _e263 = phi_1014_;
-            if _e263 {
-                phi_1018_ = false;
+            let _e304 = phi_1063_;
+            let _e306 = phi_1064_;
+            if _e306 {
+                phi_1068_ = false;
             } else {
-                phi_1018_ = _e261;
+                phi_1068_ = _e304;
             }
-            let _e265 = phi_1018_;
-            if _e265 {
+            let _e308 = phi_1068_;
+            if _e308 {
                 if (0f > 0f) {
-                    let _e268 = samples.member[(0u + _e53.first_primitive)].normal;
-                    let _e270 = p.member.map_size;
-                    let _e340 = ((abs(((((_e59.row_x.x * _e268.x) + (_e59.row_x.y * _e268.y)) + (_e59.row_x.z * _e268.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e268.x) + (_e59.row_y.y * _e268.y)) + (_e59.row_y.z * _e268.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e268.x) + (_e59.row_z.y * _e268.y)) + (_e59.row_z.z * _e268.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e270)));
-                    if (_e340 < 0.002f) {
-                        phi_1108_ = _e340;
+                    let _e311 = samples.member[(0u + _e53.first_primitive)].normal;
+                    let _e313 = p.member.map_size;
+                    let _e383 = ((abs(((((_e59.row_x.x * _e311.x) + (_e59.row_x.y * _e311.y)) + (_e59.row_x.z * _e311.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e311.x) + (_e59.row_y.y * _e311.y)) + (_e59.row_y.z * _e311.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e311.x) + (_e59.row_z.y * _e311.y)) + (_e59.row_z.z * _e311.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e313)));
+                    if (_e383 < 0.002f) {
+                        phi_1158_ = _e383;
                     } else {
-                        phi_1108_ = 0.002f;
+                        phi_1158_ = 0.002f;
                     }
-                    let _e343 = phi_1108_;
-                    phi_1111_ = (_e238 - (0f * _e343));
+                    let _e386 = phi_1158_;
+                    phi_1161_ = (_e281 - (0f * _e386));
                 } else {
-                    phi_1111_ = _e238;
+                    phi_1161_ = _e281;
                 }
-                let _e347 = phi_1111_;
-                let _e349 = p.member.map_size;
-                let _e350 = f32(_e349);
-                let _e353 = ((_e211 * _e350) - 0.5f);
-                let _e354 = ((_e225 * _e350) - 0.5f);
-                if (_e353 > -8388608f) {
-                    let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
-                    if (_e366 > _e353) {
-                        phi_1140_ = 1f;
+                let _e390 = phi_1161_;
+                let _e392 = p.member.map_size;
+                let _e393 = f32(_e392);
+                let _e396 = ((_e254 * _e393) - 0.5f);
+                let _e397 = ((_e268 * _e393) - 0.5f);
+                if (_e396 > -8388608f) {
+                    let _e409 = f32(select(0i, select(select(i32(_e396), i32(-2147483648), (_e396 < bitcast<f32>(3472883712u))), 2147483647i, (_e396 > bitcast<f32>(1325400063u))), (_e396 == _e396)));
+                    if (_e409 > _e396) {
+                        phi_1190_ = 1f;
                     } else {
-                        phi_1140_ = 0f;
+                        phi_1190_ = 0f;
                     }
-                    let _e369 = phi_1140_;
-                    if (_e353 < 8388608f) {
-                        phi_1145_ = (_e366 - _e369);
-                        phi_1146_ = false;
+                    let _e412 = phi_1190_;
+                    if (_e396 < 8388608f) {
+                        phi_1195_ = (_e409 - _e412);
+                        phi_1196_ = false;
                     } else {
-                        phi_1145_ = f32();
-                        phi_1146_ = true;
+                        phi_1195_ = f32();
+                        phi_1196_ = true;
                     }
-                    let _e372 = phi_1145_;
-                    let _e374 = phi_1146_;
-                    phi_1147_ = _e372;
-                    phi_1148_ = _e374;
+                    let _e415 = phi_1195_;
+                    let _e417 = phi_1196_;
+                    phi_1197_ = _e415;
+                    phi_1198_ = _e417;
                 } else {
-                    phi_1147_ = f32();
-                    phi_1148_ = true;
+                    phi_1197_ = f32();
+                    phi_1198_ = true;
                 }
-                let _e376 = phi_1147_;
-                let _e378 = phi_1148_;
-                if _e378 {
-                    phi_1152_ = _e353;
+                let _e419 = phi_1197_;
+                let _e421 = phi_1198_;
+                if _e421 {
+                    phi_1202_ = _e396;
                 } else {
-                    phi_1152_ = _e376;
+                    phi_1202_ = _e419;
                 }
-                let _e380 = phi_1152_;
-                if (_e354 > -8388608f) {
-                    let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
-                    if (_e392 > _e354) {
-                        phi_1172_ = 1f;
+                let _e423 = phi_1202_;
+                if (_e397 > -8388608f) {
+                    let _e435 = f32(select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)));
+                    if (_e435 > _e397) {
+                        phi_1222_ = 1f;
                     } else {
-                        phi_1172_ = 0f;
+                        phi_1222_ = 0f;
                     }
-                    let _e395 = phi_1172_;
-                    if (_e354 < 8388608f) {
-                        phi_1177_ = (_e392 - _e395);
-                        phi_1178_ = false;
+                    let _e438 = phi_1222_;
+                    if (_e397 < 8388608f) {
+                        phi_1227_ = (_e435 - _e438);
+                        phi_1228_ = false;
                     } else {
-                        phi_1177_ = f32();
-                        phi_1178_ = true;
+                        phi_1227_ = f32();
+                        phi_1228_ = true;
                     }
-                    let _e398 = phi_1177_;
-                    let _e400 = phi_1178_;
-                    phi_1179_ = _e398;
-                    phi_1180_ = _e400;
+                    let _e441 = phi_1227_;
+                    let _e443 = phi_1228_;
+                    phi_1229_ = _e441;
+                    phi_1230_ = _e443;
                 } else {
-                    phi_1179_ = f32();
-                    phi_1180_ = true;
+                    phi_1229_ = f32();
+                    phi_1230_ = true;
                 }
-                let _e402 = phi_1179_;
-                let _e404 = phi_1180_;
-                if _e404 {
-                    phi_1184_ = _e354;
+                let _e445 = phi_1229_;
+                let _e447 = phi_1230_;
+                if _e447 {
+                    phi_1234_ = _e397;
                 } else {
-                    phi_1184_ = _e402;
+                    phi_1234_ = _e445;
                 }
-                let _e406 = phi_1184_;
-                let _e407 = (_e353 - _e380);
-                let _e408 = (_e354 - _e406);
-                let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
-                let _e426 = select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406));
-                let _e437 = p.member.test;
-                let _e438 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e437);
-                let _e440 = p.member.map_size;
-                local = _e438;
-                let _e442 = ((0u * _e440) * _e440);
-                let _e444 = (bitcast<i32>(_e440) - 1i);
-                if (_e417 > 0i) {
-                    phi_1232_ = _e417;
-                } else {
-                    phi_1232_ = 0i;
-                }
-                let _e447 = phi_1232_;
-                if (_e426 > 0i) {
-                    phi_1237_ = _e426;
-                } else {
-                    phi_1237_ = 0i;
-                }
-                let _e450 = phi_1237_;
-                if (_e447 < _e444) {
-                    phi_1242_ = _e447;
-                } else {
-                    phi_1242_ = _e444;
-                }
-                let _e453 = phi_1242_;
-                if (_e450 < _e444) {
-                    phi_1247_ = _e450;
-                } else {
-                    phi_1247_ = _e444;
-                }
-                let _e456 = phi_1247_;
-                let _e457 = bitcast<u32>(_e453);
-                let _e459 = (_e417 + 1i);
-                let _e460 = (_e426 + 1i);
-                if (_e459 > 0i) {
-                    phi_1256_ = _e459;
-                } else {
-                    phi_1256_ = 0i;
-                }
-                let _e463 = phi_1256_;
+                let _e449 = phi_1234_;
+                let _e450 = (_e396 - _e423);
+                let _e451 = (_e397 - _e449);
+                let _e460 = select(0i, select(select(i32(_e423), i32(-2147483648), (_e423 < bitcast<f32>(3472883712u))), 2147483647i, (_e423 > bitcast<f32>(1325400063u))), (_e423 == _e423));
+                let _e469 = select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449));
+                let _e480 = p.member.test;
+                let _e481 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e480);
+                let _e483 = p.member.map_size;
+                local = _e481;
+                let _e485 = ((0u * _e483) * _e483);
+                let _e487 = (bitcast<i32>(_e483) - 1i);
                 if (_e460 > 0i) {
-                    phi_1261_ = _e460;
+                    phi_1282_ = _e460;
                 } else {
-                    phi_1261_ = 0i;
+                    phi_1282_ = 0i;
                 }
-                let _e466 = phi_1261_;
-                if (_e463 < _e444) {
-                    phi_1266_ = _e463;
+                let _e490 = phi_1282_;
+                if (_e469 > 0i) {
+                    phi_1287_ = _e469;
                 } else {
-                    phi_1266_ = _e444;
+                    phi_1287_ = 0i;
                 }
-                let _e469 = phi_1266_;
-                if (_e466 < _e444) {
-                    phi_1271_ = _e466;
+                let _e493 = phi_1287_;
+                if (_e490 < _e487) {
+                    phi_1292_ = _e490;
                 } else {
-                    phi_1271_ = _e444;
+                    phi_1292_ = _e487;
                 }
-                let _e472 = phi_1271_;
-                let _e473 = bitcast<u32>(_e469);
-                let _e475 = (bitcast<u32>(_e456) * _e440);
-                let _e476 = (bitcast<u32>(_e472) * _e440);
-                let _e481 = ((_e475 + _e457) + _e442);
-                let _e482 = ((_e475 + _e473) + _e442);
-                let _e483 = ((_e476 + _e457) + _e442);
-                let _e484 = ((_e476 + _e473) + _e442);
-                if (_e481 < _e44) {
+                let _e496 = phi_1292_;
+                if (_e493 < _e487) {
+                    phi_1297_ = _e493;
+                } else {
+                    phi_1297_ = _e487;
+                }
+                let _e499 = phi_1297_;
+                let _e500 = bitcast<u32>(_e496);
+                let _e502 = (_e460 + 1i);
+                let _e503 = (_e469 + 1i);
+                if (_e502 > 0i) {
+                    phi_1306_ = _e502;
+                } else {
+                    phi_1306_ = 0i;
+                }
+                let _e506 = phi_1306_;
+                if (_e503 > 0i) {
+                    phi_1311_ = _e503;
+                } else {
+                    phi_1311_ = 0i;
+                }
+                let _e509 = phi_1311_;
+                if (_e506 < _e487) {
+                    phi_1316_ = _e506;
+                } else {
+                    phi_1316_ = _e487;
+                }
+                let _e512 = phi_1316_;
+                if (_e509 < _e487) {
+                    phi_1321_ = _e509;
+                } else {
+                    phi_1321_ = _e487;
+                }
+                let _e515 = phi_1321_;
+                let _e516 = bitcast<u32>(_e512);
+                let _e518 = (bitcast<u32>(_e499) * _e483);
+                let _e519 = (bitcast<u32>(_e515) * _e483);
+                let _e524 = ((_e518 + _e500) + _e485);
+                let _e525 = ((_e518 + _e516) + _e485);
+                let _e526 = ((_e519 + _e500) + _e485);
+                let _e527 = ((_e519 + _e516) + _e485);
+                if (_e524 < _e44) {
                 } else {
                     return;
                 }
-                let _e488 = map.member[(0u + _e481)];
-                if (_e482 < _e44) {
+                let _e531 = map.member[(0u + _e524)];
+                if (_e525 < _e44) {
                 } else {
                     return;
                 }
-                let _e492 = map.member[(0u + _e482)];
-                if (_e483 < _e44) {
+                let _e535 = map.member[(0u + _e525)];
+                if (_e526 < _e44) {
                 } else {
                     return;
                 }
-                let _e496 = map.member[(0u + _e483)];
-                if (_e484 < _e44) {
+                let _e539 = map.member[(0u + _e526)];
+                if (_e527 < _e44) {
                 } else {
                     return;
                 }
-                let _e500 = map.member[(0u + _e484)];
-                let _e502 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e488, _e492, _e496, _e500), vec4<f32>(((1f - _e407) * (1f - _e408)), (_e407 * (1f - _e408)), ((1f - _e407) * _e408), (_e407 * _e408)), _e347);
-                let _e504 = p.member.epsilon;
-                if (_e502 <= _e504) {
-                    phi_1322_ = true;
+                let _e543 = map.member[(0u + _e527)];
+                let _e545 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e531, _e535, _e539, _e543), vec4<f32>(((1f - _e450) * (1f - _e451)), (_e450 * (1f - _e451)), ((1f - _e450) * _e451), (_e450 * _e451)), _e390);
+                let _e547 = p.member.epsilon;
+                if (_e545 <= _e547) {
+                    phi_1372_ = true;
                 } else {
-                    phi_1322_ = (_e502 >= (1f - _e504));
+                    phi_1372_ = (_e545 >= (1f - _e547));
                 }
-                let _e509 = phi_1322_;
-                if ((bitcast<u32>(_e502) & 2147483647u) > 2139095040u) {
-                    phi_1330_ = true;
+                let _e552 = phi_1372_;
+                if ((bitcast<u32>(_e545) & 2147483647u) > 2139095040u) {
+                    phi_1380_ = true;
                 } else {
-                    phi_1330_ = !(_e509);
+                    phi_1380_ = !(_e552);
                 }
-                let _e515 = phi_1330_;
-                if _e515 {
-                    if (_e502 > 0f) {
-                        if (_e502 < 1f) {
-                            phi_1342_ = false;
+                let _e558 = phi_1380_;
+                if _e558 {
+                    if (_e545 > 0f) {
+                        if (_e545 < 1f) {
+                            phi_1392_ = false;
                         } else {
-                            phi_1342_ = true;
+                            phi_1392_ = true;
                         }
-                        let _e519 = phi_1342_;
-                        phi_1343_ = _e519;
+                        let _e562 = phi_1392_;
+                        phi_1393_ = _e562;
                     } else {
-                        phi_1343_ = true;
+                        phi_1393_ = true;
                     }
-                    let _e521 = phi_1343_;
-                    if _e521 {
-                        phi_1347_ = 0.5f;
+                    let _e564 = phi_1393_;
+                    if _e564 {
+                        phi_1397_ = 0.5f;
                     } else {
-                        phi_1347_ = _e502;
+                        phi_1397_ = _e545;
                     }
-                    let _e523 = phi_1347_;
-                    phi_1355_ = evaluate_Verdict(_e523, true);
+                    let _e566 = phi_1397_;
+                    phi_1405_ = evaluate_Verdict(_e566, true);
                 } else {
-                    if (_e502 > 0.5f) {
-                        phi_1353_ = 1f;
+                    if (_e545 > 0.5f) {
+                        phi_1403_ = 1f;
                     } else {
-                        phi_1353_ = 0f;
+                        phi_1403_ = 0f;
                     }
-                    let _e527 = phi_1353_;
-                    phi_1355_ = evaluate_Verdict(_e527, false);
+                    let _e570 = phi_1403_;
+                    phi_1405_ = evaluate_Verdict(_e570, false);
                 }
-                let _e530 = phi_1355_;
-                phi_1360_ = evaluate_Verdict(_e530.visibility, _e530.is_doubted);
+                let _e573 = phi_1405_;
+                phi_1410_ = evaluate_Verdict(_e573.visibility, _e573.is_doubted);
             } else {
-                phi_1360_ = evaluate_Verdict(0.5f, true);
+                phi_1410_ = evaluate_Verdict(0.5f, true);
             }
-            let _e536 = phi_1360_;
-            phi_1361_ = _e536;
+            let _e579 = phi_1410_;
+            phi_1411_ = _e579;
         }
-        let _e538 = phi_1361_;
+        let _e581 = phi_1411_;
         if (_e53.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e53.first_primitive)] = _e538.visibility;
+        visibility.member[(0u + _e53.first_primitive)] = _e581.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,29 +52,23 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
 struct lt_math_OneLevel {
     projection: lt_math_LightProjection,
-}
-
-struct lt_math_LightPoint {
-    uv: vec2<f32>,
-    depth: f32,
-    is_inside: bool,
 }
 
 struct hankel_HankelFactors {
@@ -80,44 +83,44 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_33;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(2) 
-var<storage> map: type_29;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_145_: lt_bvh_traverse_Tree;
-    var phi_146_: bool;
-    var phi_147_: lt_bvh_traverse_Tree;
-    var phi_148_: bool;
-    var phi_153_: lt_bvh_traverse_Tree;
+    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_149_: bool;
+    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_151_: bool;
+    var phi_156_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_145_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_146_ = false;
+            phi_148_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_149_ = false;
         } else {
-            phi_145_ = lt_bvh_traverse_Tree();
-            phi_146_ = true;
+            phi_148_ = lt_bvh_traverse_Tree();
+            phi_149_ = true;
         }
-        let _e50 = phi_145_;
-        let _e52 = phi_146_;
-        phi_147_ = _e50;
-        phi_148_ = _e52;
+        let _e49 = phi_148_;
+        let _e51 = phi_149_;
+        phi_150_ = _e49;
+        phi_151_ = _e51;
     } else {
-        phi_147_ = lt_bvh_traverse_Tree();
-        phi_148_ = true;
+        phi_150_ = lt_bvh_traverse_Tree();
+        phi_151_ = true;
     }
-    let _e54 = phi_147_;
-    let _e56 = phi_148_;
-    if _e56 {
-        phi_153_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e53 = phi_150_;
+    let _e55 = phi_151_;
+    if _e55 {
+        phi_156_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_153_ = _e54;
+        phi_156_ = _e53;
     }
-    let _e61 = phi_153_;
-    return lt_bvh_traverse_Tree(_e61.root, _e61.first_primitive);
+    let _e60 = phi_156_;
+    return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -129,1136 +132,1181 @@ fn lt_math_hausdorff_cubic_mass(param_4: vec4<f32>, param_5: f32, param_6: f32, 
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFactors>, param_10: f32) -> f32 {
-    var phi_923_: f32;
-    var phi_924_: f32;
-    var phi_925_: f32;
-    var phi_952_: f32;
-    var phi_953_: f32;
-    var phi_954_: f32;
+    var phi_926_: f32;
+    var phi_927_: f32;
+    var phi_928_: f32;
     var phi_955_: f32;
-    var phi_956_: bool;
+    var phi_956_: f32;
     var phi_957_: f32;
-    var phi_958_: bool;
-    var phi_986_: f32;
-    var phi_987_: f32;
-    var phi_988_: f32;
+    var phi_958_: f32;
+    var phi_959_: bool;
+    var phi_960_: f32;
+    var phi_961_: bool;
     var phi_989_: f32;
-    var phi_990_: bool;
+    var phi_990_: f32;
     var phi_991_: f32;
-    var phi_992_: bool;
-    var phi_999_: f32;
-    var phi_1000_: f32;
-    var phi_1001_: f32;
+    var phi_992_: f32;
+    var phi_993_: bool;
+    var phi_994_: f32;
+    var phi_995_: bool;
     var phi_1002_: f32;
+    var phi_1003_: f32;
+    var phi_1004_: f32;
+    var phi_1005_: f32;
 
-    let _e40 = (*param_9).moments;
+    let _e39 = (*param_9).moments;
     if (param_10 < 0.0001f) {
-        phi_1002_ = 1f;
+        phi_1005_ = 1f;
     } else {
-        let _e49 = ((_e40.z - ((1f + param_10) * _e40.y)) + (param_10 * _e40.x));
-        let _e58 = (((_e40.w - ((1f + param_10) * _e40.z)) + (param_10 * _e40.y)) / _e49);
-        if (abs(_e49) <= 0.00000047683716f) {
-            let _e72 = (1f - (((_e40.y - (_e40.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
-            if ((bitcast<u32>(_e72) & 2147483647u) > 2139095040u) {
-                phi_925_ = _e72;
+        let _e48 = ((_e39.z - ((1f + param_10) * _e39.y)) + (param_10 * _e39.x));
+        let _e57 = (((_e39.w - ((1f + param_10) * _e39.z)) + (param_10 * _e39.y)) / _e48);
+        if (abs(_e48) <= 0.00000047683716f) {
+            let _e71 = (1f - (((_e39.y - (_e39.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
+            if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
+                phi_928_ = _e71;
             } else {
-                if (_e72 < 0f) {
-                    phi_924_ = 0f;
+                if (_e71 < 0f) {
+                    phi_927_ = 0f;
                 } else {
-                    if (_e72 > 1f) {
-                        phi_923_ = 1f;
+                    if (_e71 > 1f) {
+                        phi_926_ = 1f;
                     } else {
-                        phi_923_ = _e72;
+                        phi_926_ = _e71;
                     }
-                    let _e79 = phi_923_;
-                    phi_924_ = _e79;
+                    let _e78 = phi_926_;
+                    phi_927_ = _e78;
                 }
-                let _e81 = phi_924_;
-                phi_925_ = _e81;
+                let _e80 = phi_927_;
+                phi_928_ = _e80;
             }
-            let _e83 = phi_925_;
-            phi_1001_ = _e83;
+            let _e82 = phi_928_;
+            phi_1004_ = _e82;
         } else {
-            if (_e58 > 0f) {
-                if (_e58 < param_10) {
-                    let _e86 = lt_math_hausdorff_cubic_mass(_e40, 0f, _e58, param_10, 1f);
-                    let _e88 = lt_math_hausdorff_cubic_mass(_e40, _e58, 0f, param_10, 1f);
-                    let _e89 = ((1f - _e86) - _e88);
-                    if ((bitcast<u32>(_e89) & 2147483647u) > 2139095040u) {
-                        phi_954_ = _e89;
+            if (_e57 > 0f) {
+                if (_e57 < param_10) {
+                    let _e85 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_10, 1f);
+                    let _e87 = lt_math_hausdorff_cubic_mass(_e39, _e57, 0f, param_10, 1f);
+                    let _e88 = ((1f - _e85) - _e87);
+                    if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
+                        phi_957_ = _e88;
                     } else {
-                        if (_e89 < 0f) {
-                            phi_953_ = 0f;
+                        if (_e88 < 0f) {
+                            phi_956_ = 0f;
                         } else {
-                            if (_e89 > 1f) {
-                                phi_952_ = 1f;
+                            if (_e88 > 1f) {
+                                phi_955_ = 1f;
                             } else {
-                                phi_952_ = _e89;
+                                phi_955_ = _e88;
                             }
-                            let _e96 = phi_952_;
-                            phi_953_ = _e96;
+                            let _e95 = phi_955_;
+                            phi_956_ = _e95;
                         }
-                        let _e98 = phi_953_;
-                        phi_954_ = _e98;
+                        let _e97 = phi_956_;
+                        phi_957_ = _e97;
                     }
-                    let _e100 = phi_954_;
-                    phi_955_ = _e100;
-                    phi_956_ = false;
+                    let _e99 = phi_957_;
+                    phi_958_ = _e99;
+                    phi_959_ = false;
                 } else {
-                    phi_955_ = f32();
-                    phi_956_ = true;
+                    phi_958_ = f32();
+                    phi_959_ = true;
                 }
-                let _e102 = phi_955_;
-                let _e104 = phi_956_;
-                phi_957_ = _e102;
-                phi_958_ = _e104;
+                let _e101 = phi_958_;
+                let _e103 = phi_959_;
+                phi_960_ = _e101;
+                phi_961_ = _e103;
             } else {
-                phi_957_ = f32();
-                phi_958_ = true;
+                phi_960_ = f32();
+                phi_961_ = true;
             }
-            let _e106 = phi_957_;
-            let _e108 = phi_958_;
-            if _e108 {
-                if (_e58 > param_10) {
-                    if (_e58 < 1f) {
-                        let _e111 = lt_math_hausdorff_cubic_mass(_e40, 0f, _e58, param_10, 1f);
-                        let _e112 = (1f - _e111);
-                        if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
-                            phi_988_ = _e112;
+            let _e105 = phi_960_;
+            let _e107 = phi_961_;
+            if _e107 {
+                if (_e57 > param_10) {
+                    if (_e57 < 1f) {
+                        let _e110 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_10, 1f);
+                        let _e111 = (1f - _e110);
+                        if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
+                            phi_991_ = _e111;
                         } else {
-                            if (_e112 < 0f) {
-                                phi_987_ = 0f;
+                            if (_e111 < 0f) {
+                                phi_990_ = 0f;
                             } else {
-                                if (_e112 > 1f) {
-                                    phi_986_ = 1f;
+                                if (_e111 > 1f) {
+                                    phi_989_ = 1f;
                                 } else {
-                                    phi_986_ = _e112;
+                                    phi_989_ = _e111;
                                 }
-                                let _e119 = phi_986_;
-                                phi_987_ = _e119;
+                                let _e118 = phi_989_;
+                                phi_990_ = _e118;
                             }
-                            let _e121 = phi_987_;
-                            phi_988_ = _e121;
+                            let _e120 = phi_990_;
+                            phi_991_ = _e120;
                         }
-                        let _e123 = phi_988_;
-                        phi_989_ = _e123;
-                        phi_990_ = false;
+                        let _e122 = phi_991_;
+                        phi_992_ = _e122;
+                        phi_993_ = false;
                     } else {
-                        phi_989_ = f32();
-                        phi_990_ = true;
+                        phi_992_ = f32();
+                        phi_993_ = true;
                     }
-                    let _e125 = phi_989_;
-                    let _e127 = phi_990_;
-                    phi_991_ = _e125;
-                    phi_992_ = _e127;
+                    let _e124 = phi_992_;
+                    let _e126 = phi_993_;
+                    phi_994_ = _e124;
+                    phi_995_ = _e126;
                 } else {
-                    phi_991_ = f32();
-                    phi_992_ = true;
+                    phi_994_ = f32();
+                    phi_995_ = true;
                 }
-                let _e129 = phi_991_;
-                let _e131 = phi_992_;
-                if _e131 {
-                    phi_999_ = bitcast<f32>((bitcast<u32>(_e58) | 2143289344u));
+                let _e128 = phi_994_;
+                let _e130 = phi_995_;
+                if _e130 {
+                    phi_1002_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
                 } else {
-                    phi_999_ = _e129;
+                    phi_1002_ = _e128;
                 }
-                let _e136 = phi_999_;
-                phi_1000_ = _e136;
+                let _e135 = phi_1002_;
+                phi_1003_ = _e135;
             } else {
-                phi_1000_ = _e106;
+                phi_1003_ = _e105;
             }
-            let _e138 = phi_1000_;
-            phi_1001_ = _e138;
+            let _e137 = phi_1003_;
+            phi_1004_ = _e137;
         }
-        let _e140 = phi_1001_;
-        phi_1002_ = _e140;
+        let _e139 = phi_1004_;
+        phi_1005_ = _e139;
     }
-    let _e142 = phi_1002_;
-    return _e142;
+    let _e141 = phi_1005_;
+    return _e141;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_11: ptr<function, f32>, param_12: vec4<f32>, param_13: f32) -> f32 {
     var local: hankel_HankelFactors;
-    var phi_210_: f32;
-    var phi_211_: f32;
-    var phi_212_: f32;
-    var phi_224_: bool;
-    var phi_239_: bool;
-    var phi_264_: f32;
-    var phi_265_: f32;
-    var phi_266_: f32;
+    var phi_213_: f32;
+    var phi_214_: f32;
+    var phi_215_: f32;
+    var phi_227_: bool;
+    var phi_242_: bool;
     var phi_267_: f32;
-    var phi_268_: bool;
+    var phi_268_: f32;
     var phi_269_: f32;
-    var phi_270_: bool;
-    var phi_326_: vec2<f32>;
-    var phi_364_: f32;
-    var phi_365_: f32;
-    var phi_366_: f32;
-    var phi_399_: f32;
-    var phi_400_: f32;
-    var phi_401_: f32;
-    var phi_405_: f32;
-    var phi_406_: f32;
-    var phi_407_: f32;
+    var phi_270_: f32;
+    var phi_271_: bool;
+    var phi_272_: f32;
+    var phi_273_: bool;
+    var phi_329_: vec2<f32>;
+    var phi_367_: f32;
+    var phi_368_: f32;
+    var phi_369_: f32;
+    var phi_402_: f32;
+    var phi_403_: f32;
+    var phi_404_: f32;
     var phi_408_: f32;
-    var phi_461_: vec2<f32>;
-    var phi_483_: bool;
-    var phi_508_: f32;
-    var phi_509_: f32;
-    var phi_510_: f32;
+    var phi_409_: f32;
+    var phi_410_: f32;
+    var phi_411_: f32;
+    var phi_464_: vec2<f32>;
+    var phi_486_: bool;
     var phi_511_: f32;
-    var phi_512_: bool;
+    var phi_512_: f32;
     var phi_513_: f32;
-    var phi_514_: bool;
-    var phi_570_: vec2<f32>;
-    var phi_608_: f32;
-    var phi_609_: f32;
-    var phi_610_: f32;
-    var phi_643_: f32;
-    var phi_644_: f32;
-    var phi_645_: f32;
-    var phi_649_: f32;
-    var phi_650_: f32;
-    var phi_651_: f32;
+    var phi_514_: f32;
+    var phi_515_: bool;
+    var phi_516_: f32;
+    var phi_517_: bool;
+    var phi_573_: vec2<f32>;
+    var phi_611_: f32;
+    var phi_612_: f32;
+    var phi_613_: f32;
+    var phi_646_: f32;
+    var phi_647_: f32;
+    var phi_648_: f32;
     var phi_652_: f32;
     var phi_653_: f32;
-    var phi_654_: bool;
+    var phi_654_: f32;
     var phi_655_: f32;
-    var phi_656_: bool;
-    var phi_678_: bool;
-    var phi_703_: f32;
-    var phi_704_: f32;
-    var phi_705_: f32;
+    var phi_656_: f32;
+    var phi_657_: bool;
+    var phi_658_: f32;
+    var phi_659_: bool;
+    var phi_681_: bool;
     var phi_706_: f32;
-    var phi_707_: bool;
+    var phi_707_: f32;
     var phi_708_: f32;
-    var phi_709_: bool;
-    var phi_765_: vec2<f32>;
-    var phi_803_: f32;
-    var phi_804_: f32;
-    var phi_805_: f32;
-    var phi_838_: f32;
-    var phi_839_: f32;
-    var phi_840_: f32;
-    var phi_844_: f32;
-    var phi_845_: f32;
-    var phi_846_: f32;
+    var phi_709_: f32;
+    var phi_710_: bool;
+    var phi_711_: f32;
+    var phi_712_: bool;
+    var phi_768_: vec2<f32>;
+    var phi_806_: f32;
+    var phi_807_: f32;
+    var phi_808_: f32;
+    var phi_841_: f32;
+    var phi_842_: f32;
+    var phi_843_: f32;
     var phi_847_: f32;
-    var phi_858_: bool;
-    var phi_862_: f32;
-    var phi_863_: f32;
-    var phi_864_: f32;
+    var phi_848_: f32;
+    var phi_849_: f32;
+    var phi_850_: f32;
+    var phi_861_: bool;
     var phi_865_: f32;
+    var phi_866_: f32;
+    var phi_867_: f32;
+    var phi_868_: f32;
 
-    let _e41 = (*param_11);
-    let _e42 = (1f - _e41);
-    let _e51 = (0.5f * _e41);
-    let _e52 = ((param_12.x * _e42) + _e51);
-    let _e53 = ((param_12.y * _e42) + _e51);
-    let _e54 = ((param_12.z * _e42) + _e51);
-    let _e55 = ((param_12.w * _e42) + _e51);
-    let _e58 = (_e53 - (_e52 * _e52));
-    let _e60 = (_e54 - (_e52 * _e53));
-    let _e66 = hankel_HankelFactors(vec4<f32>(_e52, _e53, _e54, _e55), _e58, _e60, (((_e55 - (_e53 * _e53)) * _e58) - (_e60 * _e60)));
-    local = hankel_HankelFactors(_e66.moments, _e66.d22_, _e66.l32_d22_, _e66.d33_d22_);
+    let _e40 = (*param_11);
+    let _e41 = (1f - _e40);
+    let _e50 = (0.5f * _e40);
+    let _e51 = ((param_12.x * _e41) + _e50);
+    let _e52 = ((param_12.y * _e41) + _e50);
+    let _e53 = ((param_12.z * _e41) + _e50);
+    let _e54 = ((param_12.w * _e41) + _e50);
+    let _e57 = (_e52 - (_e51 * _e51));
+    let _e59 = (_e53 - (_e51 * _e52));
+    let _e65 = hankel_HankelFactors(vec4<f32>(_e51, _e52, _e53, _e54), _e57, _e59, (((_e54 - (_e52 * _e52)) * _e57) - (_e59 * _e59)));
+    local = hankel_HankelFactors(_e65.moments, _e65.d22_, _e65.l32_d22_, _e65.d33_d22_);
     if ((bitcast<u32>(param_13) & 2147483647u) > 2139095040u) {
-        phi_212_ = param_13;
+        phi_215_ = param_13;
     } else {
         if (param_13 < 0f) {
-            phi_211_ = 0f;
+            phi_214_ = 0f;
         } else {
             if (param_13 > 1f) {
-                phi_210_ = 1f;
+                phi_213_ = 1f;
             } else {
-                phi_210_ = param_13;
+                phi_213_ = param_13;
             }
-            let _e78 = phi_210_;
-            phi_211_ = _e78;
+            let _e77 = phi_213_;
+            phi_214_ = _e77;
         }
-        let _e80 = phi_211_;
-        phi_212_ = _e80;
+        let _e79 = phi_214_;
+        phi_215_ = _e79;
     }
-    let _e82 = phi_212_;
-    let _e85 = local.moments[0u];
-    let _e88 = local.moments[3u];
-    if (_e85 == _e88) {
-        let _e92 = local.moments[0u];
-        phi_224_ = (_e92 > 0.5f);
+    let _e81 = phi_215_;
+    let _e84 = local.moments[0u];
+    let _e87 = local.moments[3u];
+    if (_e84 == _e87) {
+        let _e91 = local.moments[0u];
+        phi_227_ = (_e91 > 0.5f);
     } else {
-        phi_224_ = false;
+        phi_227_ = false;
     }
-    let _e95 = phi_224_;
-    if _e95 {
-        let _e98 = local.moments[0u];
-        let _e101 = local.moments[3u];
-        if (_e98 == _e101) {
-            let _e105 = local.moments[0u];
-            phi_239_ = (_e105 > 0.5f);
+    let _e94 = phi_227_;
+    if _e94 {
+        let _e97 = local.moments[0u];
+        let _e100 = local.moments[3u];
+        if (_e97 == _e100) {
+            let _e104 = local.moments[0u];
+            phi_242_ = (_e104 > 0.5f);
         } else {
-            phi_239_ = false;
+            phi_242_ = false;
         }
-        let _e108 = phi_239_;
-        if _e108 {
-            if (_e82 > 0f) {
-                let _e111 = local.moments;
-                if ((bitcast<u32>(_e111.x) & 2147483647u) > 2139095040u) {
-                    phi_266_ = _e111.x;
+        let _e107 = phi_242_;
+        if _e107 {
+            if (_e81 > 0f) {
+                let _e110 = local.moments;
+                if ((bitcast<u32>(_e110.x) & 2147483647u) > 2139095040u) {
+                    phi_269_ = _e110.x;
                 } else {
-                    if (_e111.x < 0f) {
-                        phi_265_ = 0f;
+                    if (_e110.x < 0f) {
+                        phi_268_ = 0f;
                     } else {
-                        if (_e111.x > 1f) {
-                            phi_264_ = 1f;
+                        if (_e110.x > 1f) {
+                            phi_267_ = 1f;
                         } else {
-                            phi_264_ = _e111.x;
+                            phi_267_ = _e110.x;
                         }
-                        let _e119 = phi_264_;
-                        phi_265_ = _e119;
+                        let _e118 = phi_267_;
+                        phi_268_ = _e118;
                     }
-                    let _e121 = phi_265_;
-                    phi_266_ = _e121;
+                    let _e120 = phi_268_;
+                    phi_269_ = _e120;
                 }
-                let _e123 = phi_266_;
-                phi_267_ = _e123;
-                phi_268_ = false;
+                let _e122 = phi_269_;
+                phi_270_ = _e122;
+                phi_271_ = false;
             } else {
-                phi_267_ = f32();
-                phi_268_ = true;
+                phi_270_ = f32();
+                phi_271_ = true;
             }
-            let _e125 = phi_267_;
-            let _e127 = phi_268_;
-            phi_269_ = _e125;
-            phi_270_ = _e127;
+            let _e124 = phi_270_;
+            let _e126 = phi_271_;
+            phi_272_ = _e124;
+            phi_273_ = _e126;
         } else {
-            phi_269_ = f32();
-            phi_270_ = true;
+            phi_272_ = f32();
+            phi_273_ = true;
         }
-        let _e129 = phi_269_;
-        let _e131 = phi_270_;
-        if _e131 {
-            let _e134 = local.moments[0u];
-            let _e137 = local.moments[1u];
-            let _e145 = local.l32_d22_;
-            let _e147 = local.d22_;
-            let _e148 = (_e145 / _e147);
-            let _e149 = (_e82 - _e134);
-            let _e155 = local.d22_;
-            let _e158 = local.d33_d22_;
-            let _e159 = (((((_e82 * _e82) - _e137) - (_e148 * _e149)) * _e155) / _e158);
-            let _e161 = local.d22_;
-            let _e164 = ((_e149 / _e161) - (_e148 * _e159));
-            let _e170 = ((0.5f * _e164) / _e159);
-            let _e173 = ((_e170 * _e170) - (((1f - (_e164 * _e134)) - (_e159 * _e137)) / _e159));
-            if (_e173 >= 0f) {
-                let _e175 = sqrt(_e173);
-                phi_326_ = vec2<f32>((-(_e170) - _e175), (-(_e170) + _e175));
+        let _e128 = phi_272_;
+        let _e130 = phi_273_;
+        if _e130 {
+            let _e133 = local.moments[0u];
+            let _e136 = local.moments[1u];
+            let _e144 = local.l32_d22_;
+            let _e146 = local.d22_;
+            let _e147 = (_e144 / _e146);
+            let _e148 = (_e81 - _e133);
+            let _e154 = local.d22_;
+            let _e157 = local.d33_d22_;
+            let _e158 = (((((_e81 * _e81) - _e136) - (_e147 * _e148)) * _e154) / _e157);
+            let _e160 = local.d22_;
+            let _e163 = ((_e148 / _e160) - (_e147 * _e158));
+            let _e169 = ((0.5f * _e163) / _e158);
+            let _e172 = ((_e169 * _e169) - (((1f - (_e163 * _e133)) - (_e158 * _e136)) / _e158));
+            if (_e172 >= 0f) {
+                let _e174 = sqrt(_e172);
+                phi_329_ = vec2<f32>((-(_e169) - _e174), (-(_e169) + _e174));
             } else {
-                phi_326_ = vec2(bitcast<f32>((bitcast<u32>(_e173) | 2143289344u)));
+                phi_329_ = vec2(bitcast<f32>((bitcast<u32>(_e172) | 2143289344u)));
             }
-            let _e186 = phi_326_;
-            if (_e82 <= _e186.x) {
-                phi_407_ = 1f;
+            let _e185 = phi_329_;
+            if (_e81 <= _e185.x) {
+                phi_410_ = 1f;
             } else {
-                if (_e82 > _e186.y) {
-                    let _e192 = local.moments;
-                    let _e203 = (((_e192.y - (_e192.x * (_e186.x + _e186.y))) + (_e186.x * _e186.y)) / ((_e82 - _e186.x) * (_e82 - _e186.y)));
-                    if ((bitcast<u32>(_e203) & 2147483647u) > 2139095040u) {
-                        phi_366_ = _e203;
+                if (_e81 > _e185.y) {
+                    let _e191 = local.moments;
+                    let _e202 = (((_e191.y - (_e191.x * (_e185.x + _e185.y))) + (_e185.x * _e185.y)) / ((_e81 - _e185.x) * (_e81 - _e185.y)));
+                    if ((bitcast<u32>(_e202) & 2147483647u) > 2139095040u) {
+                        phi_369_ = _e202;
                     } else {
-                        if (_e203 < 0f) {
-                            phi_365_ = 0f;
+                        if (_e202 < 0f) {
+                            phi_368_ = 0f;
                         } else {
-                            if (_e203 > 1f) {
-                                phi_364_ = 1f;
+                            if (_e202 > 1f) {
+                                phi_367_ = 1f;
                             } else {
-                                phi_364_ = _e203;
+                                phi_367_ = _e202;
                             }
-                            let _e210 = phi_364_;
-                            phi_365_ = _e210;
+                            let _e209 = phi_367_;
+                            phi_368_ = _e209;
                         }
-                        let _e212 = phi_365_;
-                        phi_366_ = _e212;
+                        let _e211 = phi_368_;
+                        phi_369_ = _e211;
                     }
-                    let _e214 = phi_366_;
-                    phi_406_ = _e214;
+                    let _e213 = phi_369_;
+                    phi_409_ = _e213;
                 } else {
-                    if (_e82 > _e186.x) {
-                        let _e217 = local.moments;
-                        let _e229 = (1f - (((_e217.y - (_e217.x * (_e82 + _e186.y))) + (_e82 * _e186.y)) / ((_e186.x - _e82) * (_e186.x - _e186.y))));
-                        if ((bitcast<u32>(_e229) & 2147483647u) > 2139095040u) {
-                            phi_401_ = _e229;
+                    if (_e81 > _e185.x) {
+                        let _e216 = local.moments;
+                        let _e228 = (1f - (((_e216.y - (_e216.x * (_e81 + _e185.y))) + (_e81 * _e185.y)) / ((_e185.x - _e81) * (_e185.x - _e185.y))));
+                        if ((bitcast<u32>(_e228) & 2147483647u) > 2139095040u) {
+                            phi_404_ = _e228;
                         } else {
-                            if (_e229 < 0f) {
-                                phi_400_ = 0f;
+                            if (_e228 < 0f) {
+                                phi_403_ = 0f;
                             } else {
-                                if (_e229 > 1f) {
-                                    phi_399_ = 1f;
+                                if (_e228 > 1f) {
+                                    phi_402_ = 1f;
                                 } else {
-                                    phi_399_ = _e229;
+                                    phi_402_ = _e228;
                                 }
-                                let _e236 = phi_399_;
-                                phi_400_ = _e236;
+                                let _e235 = phi_402_;
+                                phi_403_ = _e235;
                             }
-                            let _e238 = phi_400_;
-                            phi_401_ = _e238;
+                            let _e237 = phi_403_;
+                            phi_404_ = _e237;
                         }
-                        let _e240 = phi_401_;
-                        phi_405_ = _e240;
+                        let _e239 = phi_404_;
+                        phi_408_ = _e239;
                     } else {
-                        phi_405_ = bitcast<f32>((bitcast<u32>(_e186.x) | 2143289344u));
+                        phi_408_ = bitcast<f32>((bitcast<u32>(_e185.x) | 2143289344u));
                     }
-                    let _e245 = phi_405_;
-                    phi_406_ = _e245;
+                    let _e244 = phi_408_;
+                    phi_409_ = _e244;
                 }
-                let _e247 = phi_406_;
-                phi_407_ = _e247;
+                let _e246 = phi_409_;
+                phi_410_ = _e246;
             }
-            let _e249 = phi_407_;
-            phi_408_ = _e249;
+            let _e248 = phi_410_;
+            phi_411_ = _e248;
         } else {
-            phi_408_ = _e129;
+            phi_411_ = _e128;
         }
-        let _e251 = phi_408_;
-        phi_865_ = _e251;
+        let _e250 = phi_411_;
+        phi_868_ = _e250;
     } else {
-        let _e254 = local.moments[0u];
-        let _e257 = local.moments[1u];
-        let _e265 = local.l32_d22_;
-        let _e267 = local.d22_;
-        let _e268 = (_e265 / _e267);
-        let _e269 = (_e82 - _e254);
-        let _e275 = local.d22_;
-        let _e278 = local.d33_d22_;
-        let _e279 = (((((_e82 * _e82) - _e257) - (_e268 * _e269)) * _e275) / _e278);
-        let _e281 = local.d22_;
-        let _e284 = ((_e269 / _e281) - (_e268 * _e279));
-        let _e290 = ((0.5f * _e284) / _e279);
-        let _e293 = ((_e290 * _e290) - (((1f - (_e284 * _e254)) - (_e279 * _e257)) / _e279));
-        if (_e293 >= 0f) {
-            let _e295 = sqrt(_e293);
-            phi_461_ = vec2<f32>((-(_e290) - _e295), (-(_e290) + _e295));
+        let _e253 = local.moments[0u];
+        let _e256 = local.moments[1u];
+        let _e264 = local.l32_d22_;
+        let _e266 = local.d22_;
+        let _e267 = (_e264 / _e266);
+        let _e268 = (_e81 - _e253);
+        let _e274 = local.d22_;
+        let _e277 = local.d33_d22_;
+        let _e278 = (((((_e81 * _e81) - _e256) - (_e267 * _e268)) * _e274) / _e277);
+        let _e280 = local.d22_;
+        let _e283 = ((_e268 / _e280) - (_e267 * _e278));
+        let _e289 = ((0.5f * _e283) / _e278);
+        let _e292 = ((_e289 * _e289) - (((1f - (_e283 * _e253)) - (_e278 * _e256)) / _e278));
+        if (_e292 >= 0f) {
+            let _e294 = sqrt(_e292);
+            phi_464_ = vec2<f32>((-(_e289) - _e294), (-(_e289) + _e294));
         } else {
-            phi_461_ = vec2(bitcast<f32>((bitcast<u32>(_e293) | 2143289344u)));
+            phi_464_ = vec2(bitcast<f32>((bitcast<u32>(_e292) | 2143289344u)));
         }
-        let _e306 = phi_461_;
-        if (_e306.x >= 0f) {
-            if (_e306.y <= 1f) {
-                let _e313 = local.moments[0u];
-                let _e316 = local.moments[3u];
-                if (_e313 == _e316) {
-                    let _e320 = local.moments[0u];
-                    phi_483_ = (_e320 > 0.5f);
+        let _e305 = phi_464_;
+        if (_e305.x >= 0f) {
+            if (_e305.y <= 1f) {
+                let _e312 = local.moments[0u];
+                let _e315 = local.moments[3u];
+                if (_e312 == _e315) {
+                    let _e319 = local.moments[0u];
+                    phi_486_ = (_e319 > 0.5f);
                 } else {
-                    phi_483_ = false;
+                    phi_486_ = false;
                 }
-                let _e323 = phi_483_;
-                if _e323 {
-                    if (_e82 > 0f) {
-                        let _e326 = local.moments;
-                        if ((bitcast<u32>(_e326.x) & 2147483647u) > 2139095040u) {
-                            phi_510_ = _e326.x;
+                let _e322 = phi_486_;
+                if _e322 {
+                    if (_e81 > 0f) {
+                        let _e325 = local.moments;
+                        if ((bitcast<u32>(_e325.x) & 2147483647u) > 2139095040u) {
+                            phi_513_ = _e325.x;
                         } else {
-                            if (_e326.x < 0f) {
-                                phi_509_ = 0f;
+                            if (_e325.x < 0f) {
+                                phi_512_ = 0f;
                             } else {
-                                if (_e326.x > 1f) {
-                                    phi_508_ = 1f;
+                                if (_e325.x > 1f) {
+                                    phi_511_ = 1f;
                                 } else {
-                                    phi_508_ = _e326.x;
+                                    phi_511_ = _e325.x;
                                 }
-                                let _e334 = phi_508_;
-                                phi_509_ = _e334;
+                                let _e333 = phi_511_;
+                                phi_512_ = _e333;
                             }
-                            let _e336 = phi_509_;
-                            phi_510_ = _e336;
+                            let _e335 = phi_512_;
+                            phi_513_ = _e335;
                         }
-                        let _e338 = phi_510_;
-                        phi_511_ = _e338;
-                        phi_512_ = false;
+                        let _e337 = phi_513_;
+                        phi_514_ = _e337;
+                        phi_515_ = false;
                     } else {
-                        phi_511_ = f32();
-                        phi_512_ = true;
+                        phi_514_ = f32();
+                        phi_515_ = true;
                     }
-                    let _e340 = phi_511_;
-                    let _e342 = phi_512_;
-                    phi_513_ = _e340;
-                    phi_514_ = _e342;
+                    let _e339 = phi_514_;
+                    let _e341 = phi_515_;
+                    phi_516_ = _e339;
+                    phi_517_ = _e341;
                 } else {
-                    phi_513_ = f32();
-                    phi_514_ = true;
+                    phi_516_ = f32();
+                    phi_517_ = true;
                 }
-                let _e344 = phi_513_;
-                let _e346 = phi_514_;
-                if _e346 {
-                    let _e349 = local.moments[0u];
-                    let _e352 = local.moments[1u];
-                    let _e360 = local.l32_d22_;
-                    let _e362 = local.d22_;
-                    let _e363 = (_e360 / _e362);
-                    let _e364 = (_e82 - _e349);
-                    let _e370 = local.d22_;
-                    let _e373 = local.d33_d22_;
-                    let _e374 = (((((_e82 * _e82) - _e352) - (_e363 * _e364)) * _e370) / _e373);
-                    let _e376 = local.d22_;
-                    let _e379 = ((_e364 / _e376) - (_e363 * _e374));
-                    let _e385 = ((0.5f * _e379) / _e374);
-                    let _e388 = ((_e385 * _e385) - (((1f - (_e379 * _e349)) - (_e374 * _e352)) / _e374));
-                    if (_e388 >= 0f) {
-                        let _e390 = sqrt(_e388);
-                        phi_570_ = vec2<f32>((-(_e385) - _e390), (-(_e385) + _e390));
+                let _e343 = phi_516_;
+                let _e345 = phi_517_;
+                if _e345 {
+                    let _e348 = local.moments[0u];
+                    let _e351 = local.moments[1u];
+                    let _e359 = local.l32_d22_;
+                    let _e361 = local.d22_;
+                    let _e362 = (_e359 / _e361);
+                    let _e363 = (_e81 - _e348);
+                    let _e369 = local.d22_;
+                    let _e372 = local.d33_d22_;
+                    let _e373 = (((((_e81 * _e81) - _e351) - (_e362 * _e363)) * _e369) / _e372);
+                    let _e375 = local.d22_;
+                    let _e378 = ((_e363 / _e375) - (_e362 * _e373));
+                    let _e384 = ((0.5f * _e378) / _e373);
+                    let _e387 = ((_e384 * _e384) - (((1f - (_e378 * _e348)) - (_e373 * _e351)) / _e373));
+                    if (_e387 >= 0f) {
+                        let _e389 = sqrt(_e387);
+                        phi_573_ = vec2<f32>((-(_e384) - _e389), (-(_e384) + _e389));
                     } else {
-                        phi_570_ = vec2(bitcast<f32>((bitcast<u32>(_e388) | 2143289344u)));
+                        phi_573_ = vec2(bitcast<f32>((bitcast<u32>(_e387) | 2143289344u)));
                     }
-                    let _e401 = phi_570_;
-                    if (_e82 <= _e401.x) {
-                        phi_651_ = 1f;
+                    let _e400 = phi_573_;
+                    if (_e81 <= _e400.x) {
+                        phi_654_ = 1f;
                     } else {
-                        if (_e82 > _e401.y) {
-                            let _e407 = local.moments;
-                            let _e418 = (((_e407.y - (_e407.x * (_e401.x + _e401.y))) + (_e401.x * _e401.y)) / ((_e82 - _e401.x) * (_e82 - _e401.y)));
-                            if ((bitcast<u32>(_e418) & 2147483647u) > 2139095040u) {
-                                phi_610_ = _e418;
+                        if (_e81 > _e400.y) {
+                            let _e406 = local.moments;
+                            let _e417 = (((_e406.y - (_e406.x * (_e400.x + _e400.y))) + (_e400.x * _e400.y)) / ((_e81 - _e400.x) * (_e81 - _e400.y)));
+                            if ((bitcast<u32>(_e417) & 2147483647u) > 2139095040u) {
+                                phi_613_ = _e417;
                             } else {
-                                if (_e418 < 0f) {
-                                    phi_609_ = 0f;
+                                if (_e417 < 0f) {
+                                    phi_612_ = 0f;
                                 } else {
-                                    if (_e418 > 1f) {
-                                        phi_608_ = 1f;
+                                    if (_e417 > 1f) {
+                                        phi_611_ = 1f;
                                     } else {
-                                        phi_608_ = _e418;
+                                        phi_611_ = _e417;
                                     }
-                                    let _e425 = phi_608_;
-                                    phi_609_ = _e425;
+                                    let _e424 = phi_611_;
+                                    phi_612_ = _e424;
                                 }
-                                let _e427 = phi_609_;
-                                phi_610_ = _e427;
+                                let _e426 = phi_612_;
+                                phi_613_ = _e426;
                             }
-                            let _e429 = phi_610_;
-                            phi_650_ = _e429;
+                            let _e428 = phi_613_;
+                            phi_653_ = _e428;
                         } else {
-                            if (_e82 > _e401.x) {
-                                let _e432 = local.moments;
-                                let _e444 = (1f - (((_e432.y - (_e432.x * (_e82 + _e401.y))) + (_e82 * _e401.y)) / ((_e401.x - _e82) * (_e401.x - _e401.y))));
-                                if ((bitcast<u32>(_e444) & 2147483647u) > 2139095040u) {
-                                    phi_645_ = _e444;
+                            if (_e81 > _e400.x) {
+                                let _e431 = local.moments;
+                                let _e443 = (1f - (((_e431.y - (_e431.x * (_e81 + _e400.y))) + (_e81 * _e400.y)) / ((_e400.x - _e81) * (_e400.x - _e400.y))));
+                                if ((bitcast<u32>(_e443) & 2147483647u) > 2139095040u) {
+                                    phi_648_ = _e443;
                                 } else {
-                                    if (_e444 < 0f) {
-                                        phi_644_ = 0f;
+                                    if (_e443 < 0f) {
+                                        phi_647_ = 0f;
                                     } else {
-                                        if (_e444 > 1f) {
-                                            phi_643_ = 1f;
+                                        if (_e443 > 1f) {
+                                            phi_646_ = 1f;
                                         } else {
-                                            phi_643_ = _e444;
+                                            phi_646_ = _e443;
                                         }
-                                        let _e451 = phi_643_;
-                                        phi_644_ = _e451;
+                                        let _e450 = phi_646_;
+                                        phi_647_ = _e450;
                                     }
-                                    let _e453 = phi_644_;
-                                    phi_645_ = _e453;
+                                    let _e452 = phi_647_;
+                                    phi_648_ = _e452;
                                 }
-                                let _e455 = phi_645_;
-                                phi_649_ = _e455;
+                                let _e454 = phi_648_;
+                                phi_652_ = _e454;
                             } else {
-                                phi_649_ = bitcast<f32>((bitcast<u32>(_e401.x) | 2143289344u));
+                                phi_652_ = bitcast<f32>((bitcast<u32>(_e400.x) | 2143289344u));
                             }
-                            let _e460 = phi_649_;
-                            phi_650_ = _e460;
+                            let _e459 = phi_652_;
+                            phi_653_ = _e459;
                         }
-                        let _e462 = phi_650_;
-                        phi_651_ = _e462;
+                        let _e461 = phi_653_;
+                        phi_654_ = _e461;
                     }
-                    let _e464 = phi_651_;
-                    phi_652_ = _e464;
+                    let _e463 = phi_654_;
+                    phi_655_ = _e463;
                 } else {
-                    phi_652_ = _e344;
+                    phi_655_ = _e343;
                 }
-                let _e466 = phi_652_;
-                phi_653_ = _e466;
-                phi_654_ = false;
+                let _e465 = phi_655_;
+                phi_656_ = _e465;
+                phi_657_ = false;
             } else {
-                phi_653_ = f32();
-                phi_654_ = true;
+                phi_656_ = f32();
+                phi_657_ = true;
             }
-            let _e468 = phi_653_;
-            let _e470 = phi_654_;
-            phi_655_ = _e468;
-            phi_656_ = _e470;
+            let _e467 = phi_656_;
+            let _e469 = phi_657_;
+            phi_658_ = _e467;
+            phi_659_ = _e469;
         } else {
-            phi_655_ = f32();
-            phi_656_ = true;
+            phi_658_ = f32();
+            phi_659_ = true;
         }
-        let _e472 = phi_655_;
-        let _e474 = phi_656_;
-        if _e474 {
-            if ((bitcast<u32>(_e306.x) & 2147483647u) > 2139095040u) {
-                phi_863_ = _e306.x;
+        let _e471 = phi_658_;
+        let _e473 = phi_659_;
+        if _e473 {
+            if ((bitcast<u32>(_e305.x) & 2147483647u) > 2139095040u) {
+                phi_866_ = _e305.x;
             } else {
-                let _e478 = lt_math_hausdorff_endpoint_upper_bound((&local), _e82);
-                let _e481 = local.moments[0u];
-                let _e484 = local.moments[3u];
-                if (_e481 == _e484) {
-                    let _e488 = local.moments[0u];
-                    phi_678_ = (_e488 > 0.5f);
+                let _e477 = lt_math_hausdorff_endpoint_upper_bound((&local), _e81);
+                let _e480 = local.moments[0u];
+                let _e483 = local.moments[3u];
+                if (_e480 == _e483) {
+                    let _e487 = local.moments[0u];
+                    phi_681_ = (_e487 > 0.5f);
                 } else {
-                    phi_678_ = false;
+                    phi_681_ = false;
                 }
-                let _e491 = phi_678_;
-                if _e491 {
-                    if (_e82 > 0f) {
-                        let _e494 = local.moments;
-                        if ((bitcast<u32>(_e494.x) & 2147483647u) > 2139095040u) {
-                            phi_705_ = _e494.x;
+                let _e490 = phi_681_;
+                if _e490 {
+                    if (_e81 > 0f) {
+                        let _e493 = local.moments;
+                        if ((bitcast<u32>(_e493.x) & 2147483647u) > 2139095040u) {
+                            phi_708_ = _e493.x;
                         } else {
-                            if (_e494.x < 0f) {
-                                phi_704_ = 0f;
+                            if (_e493.x < 0f) {
+                                phi_707_ = 0f;
                             } else {
-                                if (_e494.x > 1f) {
-                                    phi_703_ = 1f;
+                                if (_e493.x > 1f) {
+                                    phi_706_ = 1f;
                                 } else {
-                                    phi_703_ = _e494.x;
+                                    phi_706_ = _e493.x;
                                 }
-                                let _e502 = phi_703_;
-                                phi_704_ = _e502;
+                                let _e501 = phi_706_;
+                                phi_707_ = _e501;
                             }
-                            let _e504 = phi_704_;
-                            phi_705_ = _e504;
+                            let _e503 = phi_707_;
+                            phi_708_ = _e503;
                         }
-                        let _e506 = phi_705_;
-                        phi_706_ = _e506;
-                        phi_707_ = false;
+                        let _e505 = phi_708_;
+                        phi_709_ = _e505;
+                        phi_710_ = false;
                     } else {
-                        phi_706_ = f32();
-                        phi_707_ = true;
+                        phi_709_ = f32();
+                        phi_710_ = true;
                     }
-                    let _e508 = phi_706_;
-                    let _e510 = phi_707_;
-                    phi_708_ = _e508;
-                    phi_709_ = _e510;
+                    let _e507 = phi_709_;
+                    let _e509 = phi_710_;
+                    phi_711_ = _e507;
+                    phi_712_ = _e509;
                 } else {
-                    phi_708_ = f32();
-                    phi_709_ = true;
+                    phi_711_ = f32();
+                    phi_712_ = true;
                 }
-                let _e512 = phi_708_;
-                let _e514 = phi_709_;
-                if _e514 {
-                    let _e517 = local.moments[0u];
-                    let _e520 = local.moments[1u];
-                    let _e528 = local.l32_d22_;
-                    let _e530 = local.d22_;
-                    let _e531 = (_e528 / _e530);
-                    let _e532 = (_e82 - _e517);
-                    let _e538 = local.d22_;
-                    let _e541 = local.d33_d22_;
-                    let _e542 = (((((_e82 * _e82) - _e520) - (_e531 * _e532)) * _e538) / _e541);
-                    let _e544 = local.d22_;
-                    let _e547 = ((_e532 / _e544) - (_e531 * _e542));
-                    let _e553 = ((0.5f * _e547) / _e542);
-                    let _e556 = ((_e553 * _e553) - (((1f - (_e547 * _e517)) - (_e542 * _e520)) / _e542));
-                    if (_e556 >= 0f) {
-                        let _e558 = sqrt(_e556);
-                        phi_765_ = vec2<f32>((-(_e553) - _e558), (-(_e553) + _e558));
+                let _e511 = phi_711_;
+                let _e513 = phi_712_;
+                if _e513 {
+                    let _e516 = local.moments[0u];
+                    let _e519 = local.moments[1u];
+                    let _e527 = local.l32_d22_;
+                    let _e529 = local.d22_;
+                    let _e530 = (_e527 / _e529);
+                    let _e531 = (_e81 - _e516);
+                    let _e537 = local.d22_;
+                    let _e540 = local.d33_d22_;
+                    let _e541 = (((((_e81 * _e81) - _e519) - (_e530 * _e531)) * _e537) / _e540);
+                    let _e543 = local.d22_;
+                    let _e546 = ((_e531 / _e543) - (_e530 * _e541));
+                    let _e552 = ((0.5f * _e546) / _e541);
+                    let _e555 = ((_e552 * _e552) - (((1f - (_e546 * _e516)) - (_e541 * _e519)) / _e541));
+                    if (_e555 >= 0f) {
+                        let _e557 = sqrt(_e555);
+                        phi_768_ = vec2<f32>((-(_e552) - _e557), (-(_e552) + _e557));
                     } else {
-                        phi_765_ = vec2(bitcast<f32>((bitcast<u32>(_e556) | 2143289344u)));
+                        phi_768_ = vec2(bitcast<f32>((bitcast<u32>(_e555) | 2143289344u)));
                     }
-                    let _e569 = phi_765_;
-                    if (_e82 <= _e569.x) {
-                        phi_846_ = 1f;
+                    let _e568 = phi_768_;
+                    if (_e81 <= _e568.x) {
+                        phi_849_ = 1f;
                     } else {
-                        if (_e82 > _e569.y) {
-                            let _e575 = local.moments;
-                            let _e586 = (((_e575.y - (_e575.x * (_e569.x + _e569.y))) + (_e569.x * _e569.y)) / ((_e82 - _e569.x) * (_e82 - _e569.y)));
-                            if ((bitcast<u32>(_e586) & 2147483647u) > 2139095040u) {
-                                phi_805_ = _e586;
+                        if (_e81 > _e568.y) {
+                            let _e574 = local.moments;
+                            let _e585 = (((_e574.y - (_e574.x * (_e568.x + _e568.y))) + (_e568.x * _e568.y)) / ((_e81 - _e568.x) * (_e81 - _e568.y)));
+                            if ((bitcast<u32>(_e585) & 2147483647u) > 2139095040u) {
+                                phi_808_ = _e585;
                             } else {
-                                if (_e586 < 0f) {
-                                    phi_804_ = 0f;
+                                if (_e585 < 0f) {
+                                    phi_807_ = 0f;
                                 } else {
-                                    if (_e586 > 1f) {
-                                        phi_803_ = 1f;
+                                    if (_e585 > 1f) {
+                                        phi_806_ = 1f;
                                     } else {
-                                        phi_803_ = _e586;
+                                        phi_806_ = _e585;
                                     }
-                                    let _e593 = phi_803_;
-                                    phi_804_ = _e593;
+                                    let _e592 = phi_806_;
+                                    phi_807_ = _e592;
                                 }
-                                let _e595 = phi_804_;
-                                phi_805_ = _e595;
+                                let _e594 = phi_807_;
+                                phi_808_ = _e594;
                             }
-                            let _e597 = phi_805_;
-                            phi_845_ = _e597;
+                            let _e596 = phi_808_;
+                            phi_848_ = _e596;
                         } else {
-                            if (_e82 > _e569.x) {
-                                let _e600 = local.moments;
-                                let _e612 = (1f - (((_e600.y - (_e600.x * (_e82 + _e569.y))) + (_e82 * _e569.y)) / ((_e569.x - _e82) * (_e569.x - _e569.y))));
-                                if ((bitcast<u32>(_e612) & 2147483647u) > 2139095040u) {
-                                    phi_840_ = _e612;
+                            if (_e81 > _e568.x) {
+                                let _e599 = local.moments;
+                                let _e611 = (1f - (((_e599.y - (_e599.x * (_e81 + _e568.y))) + (_e81 * _e568.y)) / ((_e568.x - _e81) * (_e568.x - _e568.y))));
+                                if ((bitcast<u32>(_e611) & 2147483647u) > 2139095040u) {
+                                    phi_843_ = _e611;
                                 } else {
-                                    if (_e612 < 0f) {
-                                        phi_839_ = 0f;
+                                    if (_e611 < 0f) {
+                                        phi_842_ = 0f;
                                     } else {
-                                        if (_e612 > 1f) {
-                                            phi_838_ = 1f;
+                                        if (_e611 > 1f) {
+                                            phi_841_ = 1f;
                                         } else {
-                                            phi_838_ = _e612;
+                                            phi_841_ = _e611;
                                         }
-                                        let _e619 = phi_838_;
-                                        phi_839_ = _e619;
+                                        let _e618 = phi_841_;
+                                        phi_842_ = _e618;
                                     }
-                                    let _e621 = phi_839_;
-                                    phi_840_ = _e621;
+                                    let _e620 = phi_842_;
+                                    phi_843_ = _e620;
                                 }
-                                let _e623 = phi_840_;
-                                phi_844_ = _e623;
+                                let _e622 = phi_843_;
+                                phi_847_ = _e622;
                             } else {
-                                phi_844_ = bitcast<f32>((bitcast<u32>(_e569.x) | 2143289344u));
+                                phi_847_ = bitcast<f32>((bitcast<u32>(_e568.x) | 2143289344u));
                             }
-                            let _e628 = phi_844_;
-                            phi_845_ = _e628;
+                            let _e627 = phi_847_;
+                            phi_848_ = _e627;
                         }
-                        let _e630 = phi_845_;
-                        phi_846_ = _e630;
+                        let _e629 = phi_848_;
+                        phi_849_ = _e629;
                     }
-                    let _e632 = phi_846_;
-                    phi_847_ = _e632;
+                    let _e631 = phi_849_;
+                    phi_850_ = _e631;
                 } else {
-                    phi_847_ = _e512;
+                    phi_850_ = _e511;
                 }
-                let _e634 = phi_847_;
-                if ((bitcast<u32>(_e634) & 2147483647u) > 2139095040u) {
-                    phi_858_ = true;
+                let _e633 = phi_850_;
+                if ((bitcast<u32>(_e633) & 2147483647u) > 2139095040u) {
+                    phi_861_ = true;
                 } else {
-                    let _e638 = (_e634 < _e478);
-                    if _e638 {
+                    let _e637 = (_e633 < _e477);
+                    if _e637 {
                     }
-                    phi_858_ = _e638;
+                    phi_861_ = _e637;
                 }
-                let _e640 = phi_858_;
-                if _e640 {
-                    phi_862_ = _e634;
+                let _e639 = phi_861_;
+                if _e639 {
+                    phi_865_ = _e633;
                 } else {
-                    phi_862_ = _e478;
+                    phi_865_ = _e477;
                 }
-                let _e642 = phi_862_;
-                phi_863_ = _e642;
+                let _e641 = phi_865_;
+                phi_866_ = _e641;
             }
-            let _e644 = phi_863_;
-            phi_864_ = _e644;
+            let _e643 = phi_866_;
+            phi_867_ = _e643;
         } else {
-            phi_864_ = _e472;
+            phi_867_ = _e471;
         }
-        let _e646 = phi_864_;
-        phi_865_ = _e646;
+        let _e645 = phi_867_;
+        phi_868_ = _e645;
     }
-    let _e648 = phi_865_;
-    return _e648;
+    let _e647 = phi_868_;
+    return _e647;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_1088_: bool;
-    var phi_1089_: bool;
     var phi_1090_: bool;
     var phi_1091_: bool;
-    var phi_1095_: bool;
-    var phi_1139_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1143_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1217_: bool;
-    var phi_1226_: bool;
-    var phi_1235_: bool;
-    var phi_1236_: bool;
-    var phi_1237_: bool;
-    var phi_1238_: bool;
-    var phi_1239_: bool;
-    var phi_1240_: bool;
-    var phi_1241_: bool;
-    var phi_1245_: bool;
-    var phi_1335_: f32;
-    var phi_1338_: f32;
-    var phi_1367_: f32;
-    var phi_1372_: f32;
-    var phi_1373_: bool;
-    var phi_1374_: f32;
-    var phi_1375_: bool;
-    var phi_1379_: f32;
-    var phi_1399_: f32;
-    var phi_1404_: f32;
-    var phi_1405_: bool;
-    var phi_1406_: f32;
-    var phi_1407_: bool;
-    var phi_1411_: f32;
-    var phi_1459_: i32;
-    var phi_1464_: i32;
-    var phi_1469_: i32;
-    var phi_1474_: i32;
-    var phi_1483_: i32;
-    var phi_1488_: i32;
-    var phi_1493_: i32;
-    var phi_1498_: i32;
-    var phi_1593_: bool;
-    var phi_1601_: bool;
-    var phi_1613_: bool;
-    var phi_1614_: bool;
-    var phi_1618_: f32;
-    var phi_1624_: f32;
-    var phi_1626_: evaluate_Verdict;
-    var phi_1631_: evaluate_Verdict;
-    var phi_1632_: evaluate_Verdict;
+    var phi_1092_: bool;
+    var phi_1093_: bool;
+    var phi_1097_: bool;
+    var phi_1167_: bool;
+    var phi_1168_: bool;
+    var phi_1179_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1180_: bool;
+    var phi_1181_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1182_: bool;
+    var phi_1189_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1193_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1267_: bool;
+    var phi_1276_: bool;
+    var phi_1285_: bool;
+    var phi_1286_: bool;
+    var phi_1287_: bool;
+    var phi_1288_: bool;
+    var phi_1289_: bool;
+    var phi_1290_: bool;
+    var phi_1291_: bool;
+    var phi_1295_: bool;
+    var phi_1385_: f32;
+    var phi_1388_: f32;
+    var phi_1417_: f32;
+    var phi_1422_: f32;
+    var phi_1423_: bool;
+    var phi_1424_: f32;
+    var phi_1425_: bool;
+    var phi_1429_: f32;
+    var phi_1449_: f32;
+    var phi_1454_: f32;
+    var phi_1455_: bool;
+    var phi_1456_: f32;
+    var phi_1457_: bool;
+    var phi_1461_: f32;
+    var phi_1509_: i32;
+    var phi_1514_: i32;
+    var phi_1519_: i32;
+    var phi_1524_: i32;
+    var phi_1533_: i32;
+    var phi_1538_: i32;
+    var phi_1543_: i32;
+    var phi_1548_: i32;
+    var phi_1643_: bool;
+    var phi_1651_: bool;
+    var phi_1663_: bool;
+    var phi_1664_: bool;
+    var phi_1668_: f32;
+    var phi_1674_: f32;
+    var phi_1676_: evaluate_Verdict;
+    var phi_1681_: evaluate_Verdict;
+    var phi_1682_: evaluate_Verdict;
 
-    let _e38 = id_1;
-    let _e45 = arrayLength((&map.member));
-    let _e51 = p.member.size[0u];
-    let _e53 = p.member.size[1u];
-    let _e54 = lt_shaders_entry_pixel_index(_e38, _e51, _e53);
-    if (bitcast<i32>(_e54.root) != 0i) {
-        let _e60 = p.member.projection;
-        if (_e54.first_primitive < arrayLength((&samples.member))) {
+    let _e37 = id_1;
+    let _e44 = arrayLength((&map.member));
+    let _e50 = p.member.size[0u];
+    let _e52 = p.member.size[1u];
+    let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
+    if (bitcast<i32>(_e53.root) != 0i) {
+        let _e59 = p.member.projection;
+        if (_e53.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e64 = lt_math_OneLevel(_e60);
-        let _e66 = p.member.light;
-        let _e69 = samples.member[(0u + _e54.first_primitive)].normal[0u];
-        let _e71 = global[0u];
-        if (_e69 == _e71) {
-            let _e74 = samples.member[(0u + _e54.first_primitive)].normal[1u];
-            let _e76 = global[1u];
-            if (_e74 == _e76) {
-                let _e79 = samples.member[(0u + _e54.first_primitive)].normal[2u];
-                let _e81 = global[2u];
-                phi_1088_ = (_e79 == _e81);
-                phi_1089_ = false;
+        let _e63 = lt_math_OneLevel(_e59);
+        let _e67 = samples.member[(0u + _e53.first_primitive)].normal[0u];
+        let _e69 = global[0u];
+        if (_e67 == _e69) {
+            let _e72 = samples.member[(0u + _e53.first_primitive)].normal[1u];
+            let _e74 = global[1u];
+            if (_e72 == _e74) {
+                let _e77 = samples.member[(0u + _e53.first_primitive)].normal[2u];
+                let _e79 = global[2u];
+                phi_1090_ = (_e77 == _e79);
+                phi_1091_ = false;
             } else {
-                phi_1088_ = bool();
-                phi_1089_ = true;
+                phi_1090_ = bool();
+                phi_1091_ = true;
             }
-            let _e84 = phi_1088_;
-            let _e86 = phi_1089_;
-            phi_1090_ = _e84;
-            phi_1091_ = _e86;
+            let _e82 = phi_1090_;
+            let _e84 = phi_1091_;
+            phi_1092_ = _e82;
+            phi_1093_ = _e84;
         } else {
-            phi_1090_ = bool();
-            phi_1091_ = true;
+            phi_1092_ = bool();
+            phi_1093_ = true;
         }
-        let _e88 = phi_1090_;
-        let _e90 = phi_1091_;
-        if _e90 {
-            phi_1095_ = false;
+        let _e86 = phi_1092_;
+        let _e88 = phi_1093_;
+        if _e88 {
+            phi_1097_ = false;
         } else {
-            phi_1095_ = _e88;
+            phi_1097_ = _e86;
         }
-        let _e92 = phi_1095_;
-        if !(_e92) {
-            let _e95 = samples.member[(0u + _e54.first_primitive)].normal;
-            let _e97 = samples.member[(0u + _e54.first_primitive)].position;
-            if ((((_e95.x * (_e66.x - (_e97.x * _e66.w))) + (_e95.y * (_e66.y - (_e97.y * _e66.w)))) + (_e95.z * (_e66.z - (_e97.z * _e66.w)))) > 0f) {
-                let _e121 = samples.member[(0u + _e54.first_primitive)].flags;
-                let _e129 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e129.unnamed.visibility, false), _e129.unnamed_1);
-                phi_1139_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e135.unnamed, ((_e121 & 1u) == 0u));
-            } else {
-                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e144.unnamed.visibility, false), _e144.unnamed_1);
-                phi_1139_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e150.unnamed, true);
-            }
-            let _e155 = phi_1139_;
-            phi_1143_ = _e155;
-        } else {
-            let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
-            phi_1143_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, true);
-        }
-        let _e172 = phi_1143_;
-        if _e172.unnamed_1 {
-            phi_1632_ = evaluate_Verdict(_e172.unnamed.visibility, _e172.unnamed.is_doubted);
-        } else {
-            let _e180 = samples.member[(0u + _e54.first_primitive)].position;
-            let _e198 = ((((_e64.projection.row_w.x * _e180.x) + (_e64.projection.row_w.y * _e180.y)) + (_e64.projection.row_w.z * _e180.z)) + (_e64.projection.row_w.w * 1f));
-            let _e212 = (((((_e64.projection.row_x.x * _e180.x) + (_e64.projection.row_x.y * _e180.y)) + (_e64.projection.row_x.z * _e180.z)) + (_e64.projection.row_x.w * 1f)) / _e198);
-            let _e226 = (((((_e64.projection.row_y.x * _e180.x) + (_e64.projection.row_y.y * _e180.y)) + (_e64.projection.row_y.z * _e180.z)) + (_e64.projection.row_y.w * 1f)) / _e198);
-            let _e239 = ((((_e64.projection.row_z.x * _e180.x) + (_e64.projection.row_z.y * _e180.y)) + (_e64.projection.row_z.z * _e180.z)) + (_e64.projection.row_z.w * 1f));
-            if (_e198 > 0f) {
-                if (_e212 >= 0f) {
-                    phi_1217_ = (_e212 <= 1f);
+        let _e90 = phi_1097_;
+        if !(_e90) {
+            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e95 = p.member.light.place;
+            let _e101 = p.member.light.place[3u];
+            let _e108 = (_e95.x - (_e93.x * _e101));
+            let _e109 = (_e95.y - (_e93.y * _e101));
+            let _e110 = (_e95.z - (_e93.z * _e101));
+            let _e112 = samples.member[(0u + _e53.first_primitive)].normal;
+            if ((((_e112.x * _e108) + (_e112.y * _e109)) + (_e112.z * _e110)) > 0f) {
+                let _e126 = (((_e108 * _e108) + (_e109 * _e109)) + (_e110 * _e110));
+                let _e128 = p.member.light.axis;
+                let _e140 = p.member.light.place[3u];
+                if (_e140 == 0f) {
+                    phi_1168_ = true;
                 } else {
-                    phi_1217_ = false;
-                }
-                let _e244 = phi_1217_;
-                if _e244 {
-                    if (_e226 >= 0f) {
-                        phi_1226_ = (_e226 <= 1f);
+                    let _e143 = p.member.light.range_squared;
+                    if (_e126 <= _e143) {
+                        let _e146 = p.member.light.cos_outer;
+                        phi_1167_ = (-((((_e108 * _e128.x) + (_e109 * _e128.y)) + (_e110 * _e128.z))) >= (_e146 * sqrt(_e126)));
                     } else {
-                        phi_1226_ = false;
+                        phi_1167_ = false;
                     }
-                    let _e248 = phi_1226_;
-                    if _e248 {
-                        if (_e239 >= 0f) {
-                            phi_1235_ = (_e239 <= 1f);
+                    let _e151 = phi_1167_;
+                    phi_1168_ = _e151;
+                }
+                let _e153 = phi_1168_;
+                if _e153 {
+                    let _e155 = samples.member[(0u + _e53.first_primitive)].flags;
+                    let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e163.unnamed.visibility, false), _e163.unnamed_1);
+                    phi_1179_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e169.unnamed, ((_e155 & 1u) == 0u));
+                    phi_1180_ = false;
+                } else {
+                    phi_1179_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_1180_ = true;
+                }
+                let _e174 = phi_1179_;
+                let _e176 = phi_1180_;
+                phi_1181_ = _e174;
+                phi_1182_ = _e176;
+            } else {
+                phi_1181_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_1182_ = true;
+            }
+            let _e178 = phi_1181_;
+            let _e180 = phi_1182_;
+            if _e180 {
+                let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
+                phi_1189_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, true);
+            } else {
+                phi_1189_ = _e178;
+            }
+            let _e197 = phi_1189_;
+            phi_1193_ = _e197;
+        } else {
+            let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
+            phi_1193_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
+        }
+        let _e214 = phi_1193_;
+        if _e214.unnamed_1 {
+            phi_1682_ = evaluate_Verdict(_e214.unnamed.visibility, _e214.unnamed.is_doubted);
+        } else {
+            let _e222 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e240 = ((((_e63.projection.row_w.x * _e222.x) + (_e63.projection.row_w.y * _e222.y)) + (_e63.projection.row_w.z * _e222.z)) + (_e63.projection.row_w.w * 1f));
+            let _e254 = (((((_e63.projection.row_x.x * _e222.x) + (_e63.projection.row_x.y * _e222.y)) + (_e63.projection.row_x.z * _e222.z)) + (_e63.projection.row_x.w * 1f)) / _e240);
+            let _e268 = (((((_e63.projection.row_y.x * _e222.x) + (_e63.projection.row_y.y * _e222.y)) + (_e63.projection.row_y.z * _e222.z)) + (_e63.projection.row_y.w * 1f)) / _e240);
+            let _e281 = ((((_e63.projection.row_z.x * _e222.x) + (_e63.projection.row_z.y * _e222.y)) + (_e63.projection.row_z.z * _e222.z)) + (_e63.projection.row_z.w * 1f));
+            if (_e240 > 0f) {
+                if (_e254 >= 0f) {
+                    phi_1267_ = (_e254 <= 1f);
+                } else {
+                    phi_1267_ = false;
+                }
+                let _e286 = phi_1267_;
+                if _e286 {
+                    if (_e268 >= 0f) {
+                        phi_1276_ = (_e268 <= 1f);
+                    } else {
+                        phi_1276_ = false;
+                    }
+                    let _e290 = phi_1276_;
+                    if _e290 {
+                        if (_e281 >= 0f) {
+                            phi_1285_ = (_e281 <= 1f);
                         } else {
-                            phi_1235_ = false;
+                            phi_1285_ = false;
                         }
-                        let _e252 = phi_1235_;
-                        phi_1236_ = _e252;
-                        phi_1237_ = false;
+                        let _e294 = phi_1285_;
+                        phi_1286_ = _e294;
+                        phi_1287_ = false;
                     } else {
-                        phi_1236_ = bool();
-                        phi_1237_ = true;
+                        phi_1286_ = bool();
+                        phi_1287_ = true;
                     }
-                    let _e254 = phi_1236_;
-                    let _e256 = phi_1237_;
-                    phi_1238_ = _e254;
-                    phi_1239_ = _e256;
+                    let _e296 = phi_1286_;
+                    let _e298 = phi_1287_;
+                    phi_1288_ = _e296;
+                    phi_1289_ = _e298;
                 } else {
-                    phi_1238_ = bool();
-                    phi_1239_ = true;
+                    phi_1288_ = bool();
+                    phi_1289_ = true;
                 }
-                let _e258 = phi_1238_;
-                let _e260 = phi_1239_;
-                phi_1240_ = _e258;
-                phi_1241_ = _e260;
+                let _e300 = phi_1288_;
+                let _e302 = phi_1289_;
+                phi_1290_ = _e300;
+                phi_1291_ = _e302;
             } else {
-                phi_1240_ = bool();
-                phi_1241_ = true;
+                phi_1290_ = bool();
+                phi_1291_ = true;
             }
-            let _e262 = phi_1240_;
-            let _e264 = phi_1241_;
-            if _e264 {
-                phi_1245_ = false;
+            let _e304 = phi_1290_;
+            let _e306 = phi_1291_;
+            if _e306 {
+                phi_1295_ = false;
             } else {
-                phi_1245_ = _e262;
+                phi_1295_ = _e304;
             }
-            let _e266 = phi_1245_;
-            if _e266 {
+            let _e308 = phi_1295_;
+            if _e308 {
                 if (0f > 0f) {
-                    let _e269 = samples.member[(0u + _e54.first_primitive)].normal;
-                    let _e271 = p.member.map_size;
-                    let _e341 = ((abs(((((_e60.row_x.x * _e269.x) + (_e60.row_x.y * _e269.y)) + (_e60.row_x.z * _e269.z)) / (((_e60.row_x.x * _e60.row_x.x) + (_e60.row_x.y * _e60.row_x.y)) + (_e60.row_x.z * _e60.row_x.z)))) + abs(((((_e60.row_y.x * _e269.x) + (_e60.row_y.y * _e269.y)) + (_e60.row_y.z * _e269.z)) / (((_e60.row_y.x * _e60.row_y.x) + (_e60.row_y.y * _e60.row_y.y)) + (_e60.row_y.z * _e60.row_y.z))))) / (abs(((((_e60.row_z.x * _e269.x) + (_e60.row_z.y * _e269.y)) + (_e60.row_z.z * _e269.z)) / (((_e60.row_z.x * _e60.row_z.x) + (_e60.row_z.y * _e60.row_z.y)) + (_e60.row_z.z * _e60.row_z.z)))) * f32(_e271)));
-                    if (_e341 < 0.002f) {
-                        phi_1335_ = _e341;
+                    let _e311 = samples.member[(0u + _e53.first_primitive)].normal;
+                    let _e313 = p.member.map_size;
+                    let _e383 = ((abs(((((_e59.row_x.x * _e311.x) + (_e59.row_x.y * _e311.y)) + (_e59.row_x.z * _e311.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e311.x) + (_e59.row_y.y * _e311.y)) + (_e59.row_y.z * _e311.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e311.x) + (_e59.row_z.y * _e311.y)) + (_e59.row_z.z * _e311.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e313)));
+                    if (_e383 < 0.002f) {
+                        phi_1385_ = _e383;
                     } else {
-                        phi_1335_ = 0.002f;
+                        phi_1385_ = 0.002f;
                     }
-                    let _e344 = phi_1335_;
-                    phi_1338_ = (_e239 - (0f * _e344));
+                    let _e386 = phi_1385_;
+                    phi_1388_ = (_e281 - (0f * _e386));
                 } else {
-                    phi_1338_ = _e239;
+                    phi_1388_ = _e281;
                 }
-                let _e348 = phi_1338_;
-                let _e350 = p.member.map_size;
-                let _e351 = f32(_e350);
-                let _e354 = ((_e212 * _e351) - 0.5f);
-                let _e355 = ((_e226 * _e351) - 0.5f);
-                if (_e354 > -8388608f) {
-                    let _e367 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
-                    if (_e367 > _e354) {
-                        phi_1367_ = 1f;
+                let _e390 = phi_1388_;
+                let _e392 = p.member.map_size;
+                let _e393 = f32(_e392);
+                let _e396 = ((_e254 * _e393) - 0.5f);
+                let _e397 = ((_e268 * _e393) - 0.5f);
+                if (_e396 > -8388608f) {
+                    let _e409 = f32(select(0i, select(select(i32(_e396), i32(-2147483648), (_e396 < bitcast<f32>(3472883712u))), 2147483647i, (_e396 > bitcast<f32>(1325400063u))), (_e396 == _e396)));
+                    if (_e409 > _e396) {
+                        phi_1417_ = 1f;
                     } else {
-                        phi_1367_ = 0f;
+                        phi_1417_ = 0f;
                     }
-                    let _e370 = phi_1367_;
-                    if (_e354 < 8388608f) {
-                        phi_1372_ = (_e367 - _e370);
-                        phi_1373_ = false;
+                    let _e412 = phi_1417_;
+                    if (_e396 < 8388608f) {
+                        phi_1422_ = (_e409 - _e412);
+                        phi_1423_ = false;
                     } else {
-                        phi_1372_ = f32();
-                        phi_1373_ = true;
+                        phi_1422_ = f32();
+                        phi_1423_ = true;
                     }
-                    let _e373 = phi_1372_;
-                    let _e375 = phi_1373_;
-                    phi_1374_ = _e373;
-                    phi_1375_ = _e375;
+                    let _e415 = phi_1422_;
+                    let _e417 = phi_1423_;
+                    phi_1424_ = _e415;
+                    phi_1425_ = _e417;
                 } else {
-                    phi_1374_ = f32();
-                    phi_1375_ = true;
+                    phi_1424_ = f32();
+                    phi_1425_ = true;
                 }
-                let _e377 = phi_1374_;
-                let _e379 = phi_1375_;
-                if _e379 {
-                    phi_1379_ = _e354;
+                let _e419 = phi_1424_;
+                let _e421 = phi_1425_;
+                if _e421 {
+                    phi_1429_ = _e396;
                 } else {
-                    phi_1379_ = _e377;
+                    phi_1429_ = _e419;
                 }
-                let _e381 = phi_1379_;
-                if (_e355 > -8388608f) {
-                    let _e393 = f32(select(0i, select(select(i32(_e355), i32(-2147483648), (_e355 < bitcast<f32>(3472883712u))), 2147483647i, (_e355 > bitcast<f32>(1325400063u))), (_e355 == _e355)));
-                    if (_e393 > _e355) {
-                        phi_1399_ = 1f;
+                let _e423 = phi_1429_;
+                if (_e397 > -8388608f) {
+                    let _e435 = f32(select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)));
+                    if (_e435 > _e397) {
+                        phi_1449_ = 1f;
                     } else {
-                        phi_1399_ = 0f;
+                        phi_1449_ = 0f;
                     }
-                    let _e396 = phi_1399_;
-                    if (_e355 < 8388608f) {
-                        phi_1404_ = (_e393 - _e396);
-                        phi_1405_ = false;
+                    let _e438 = phi_1449_;
+                    if (_e397 < 8388608f) {
+                        phi_1454_ = (_e435 - _e438);
+                        phi_1455_ = false;
                     } else {
-                        phi_1404_ = f32();
-                        phi_1405_ = true;
+                        phi_1454_ = f32();
+                        phi_1455_ = true;
                     }
-                    let _e399 = phi_1404_;
-                    let _e401 = phi_1405_;
-                    phi_1406_ = _e399;
-                    phi_1407_ = _e401;
+                    let _e441 = phi_1454_;
+                    let _e443 = phi_1455_;
+                    phi_1456_ = _e441;
+                    phi_1457_ = _e443;
                 } else {
-                    phi_1406_ = f32();
-                    phi_1407_ = true;
+                    phi_1456_ = f32();
+                    phi_1457_ = true;
                 }
-                let _e403 = phi_1406_;
-                let _e405 = phi_1407_;
-                if _e405 {
-                    phi_1411_ = _e355;
+                let _e445 = phi_1456_;
+                let _e447 = phi_1457_;
+                if _e447 {
+                    phi_1461_ = _e397;
                 } else {
-                    phi_1411_ = _e403;
+                    phi_1461_ = _e445;
                 }
-                let _e407 = phi_1411_;
-                let _e408 = (_e354 - _e381);
-                let _e409 = (_e355 - _e407);
-                let _e418 = select(0i, select(select(i32(_e381), i32(-2147483648), (_e381 < bitcast<f32>(3472883712u))), 2147483647i, (_e381 > bitcast<f32>(1325400063u))), (_e381 == _e381));
-                let _e427 = select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407));
-                let _e430 = ((1f - _e408) * (1f - _e409));
-                let _e432 = (_e408 * (1f - _e409));
-                let _e434 = ((1f - _e408) * _e409);
-                let _e435 = (_e408 * _e409);
-                let _e437 = p.member.test;
-                let _e438 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e437);
-                let _e440 = p.member.map_size;
-                local_1 = _e438;
-                let _e442 = ((0u * _e440) * _e440);
-                let _e444 = (bitcast<i32>(_e440) - 1i);
-                if (_e418 > 0i) {
-                    phi_1459_ = _e418;
-                } else {
-                    phi_1459_ = 0i;
-                }
-                let _e447 = phi_1459_;
-                if (_e427 > 0i) {
-                    phi_1464_ = _e427;
-                } else {
-                    phi_1464_ = 0i;
-                }
-                let _e450 = phi_1464_;
-                if (_e447 < _e444) {
-                    phi_1469_ = _e447;
-                } else {
-                    phi_1469_ = _e444;
-                }
-                let _e453 = phi_1469_;
-                if (_e450 < _e444) {
-                    phi_1474_ = _e450;
-                } else {
-                    phi_1474_ = _e444;
-                }
-                let _e456 = phi_1474_;
-                let _e457 = bitcast<u32>(_e453);
-                let _e459 = (_e418 + 1i);
-                let _e460 = (_e427 + 1i);
-                if (_e459 > 0i) {
-                    phi_1483_ = _e459;
-                } else {
-                    phi_1483_ = 0i;
-                }
-                let _e463 = phi_1483_;
+                let _e449 = phi_1461_;
+                let _e450 = (_e396 - _e423);
+                let _e451 = (_e397 - _e449);
+                let _e460 = select(0i, select(select(i32(_e423), i32(-2147483648), (_e423 < bitcast<f32>(3472883712u))), 2147483647i, (_e423 > bitcast<f32>(1325400063u))), (_e423 == _e423));
+                let _e469 = select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449));
+                let _e472 = ((1f - _e450) * (1f - _e451));
+                let _e474 = (_e450 * (1f - _e451));
+                let _e476 = ((1f - _e450) * _e451);
+                let _e477 = (_e450 * _e451);
+                let _e479 = p.member.test;
+                let _e480 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e479);
+                let _e482 = p.member.map_size;
+                local_1 = _e480;
+                let _e484 = ((0u * _e482) * _e482);
+                let _e486 = (bitcast<i32>(_e482) - 1i);
                 if (_e460 > 0i) {
-                    phi_1488_ = _e460;
+                    phi_1509_ = _e460;
                 } else {
-                    phi_1488_ = 0i;
+                    phi_1509_ = 0i;
                 }
-                let _e466 = phi_1488_;
-                if (_e463 < _e444) {
-                    phi_1493_ = _e463;
+                let _e489 = phi_1509_;
+                if (_e469 > 0i) {
+                    phi_1514_ = _e469;
                 } else {
-                    phi_1493_ = _e444;
+                    phi_1514_ = 0i;
                 }
-                let _e469 = phi_1493_;
-                if (_e466 < _e444) {
-                    phi_1498_ = _e466;
+                let _e492 = phi_1514_;
+                if (_e489 < _e486) {
+                    phi_1519_ = _e489;
                 } else {
-                    phi_1498_ = _e444;
+                    phi_1519_ = _e486;
                 }
-                let _e472 = phi_1498_;
-                let _e473 = bitcast<u32>(_e469);
-                let _e475 = (bitcast<u32>(_e456) * _e440);
-                let _e476 = (bitcast<u32>(_e472) * _e440);
-                let _e481 = ((_e475 + _e457) + _e442);
-                let _e482 = ((_e475 + _e473) + _e442);
-                let _e483 = ((_e476 + _e457) + _e442);
-                let _e484 = ((_e476 + _e473) + _e442);
-                if (_e481 < _e45) {
+                let _e495 = phi_1519_;
+                if (_e492 < _e486) {
+                    phi_1524_ = _e492;
+                } else {
+                    phi_1524_ = _e486;
+                }
+                let _e498 = phi_1524_;
+                let _e499 = bitcast<u32>(_e495);
+                let _e501 = (_e460 + 1i);
+                let _e502 = (_e469 + 1i);
+                if (_e501 > 0i) {
+                    phi_1533_ = _e501;
+                } else {
+                    phi_1533_ = 0i;
+                }
+                let _e505 = phi_1533_;
+                if (_e502 > 0i) {
+                    phi_1538_ = _e502;
+                } else {
+                    phi_1538_ = 0i;
+                }
+                let _e508 = phi_1538_;
+                if (_e505 < _e486) {
+                    phi_1543_ = _e505;
+                } else {
+                    phi_1543_ = _e486;
+                }
+                let _e511 = phi_1543_;
+                if (_e508 < _e486) {
+                    phi_1548_ = _e508;
+                } else {
+                    phi_1548_ = _e486;
+                }
+                let _e514 = phi_1548_;
+                let _e515 = bitcast<u32>(_e511);
+                let _e517 = (bitcast<u32>(_e498) * _e482);
+                let _e518 = (bitcast<u32>(_e514) * _e482);
+                let _e523 = ((_e517 + _e499) + _e484);
+                let _e524 = ((_e517 + _e515) + _e484);
+                let _e525 = ((_e518 + _e499) + _e484);
+                let _e526 = ((_e518 + _e515) + _e484);
+                if (_e523 < _e44) {
                 } else {
                     return;
                 }
-                let _e488 = map.member[(0u + _e481)];
-                if (_e482 < _e45) {
+                let _e530 = map.member[(0u + _e523)];
+                if (_e524 < _e44) {
                 } else {
                     return;
                 }
-                let _e500 = map.member[(0u + _e482)];
-                if (_e483 < _e45) {
+                let _e542 = map.member[(0u + _e524)];
+                if (_e525 < _e44) {
                 } else {
                     return;
                 }
-                let _e516 = map.member[(0u + _e483)];
-                if (_e484 < _e45) {
+                let _e558 = map.member[(0u + _e525)];
+                if (_e526 < _e44) {
                 } else {
                     return;
                 }
-                let _e532 = map.member[(0u + _e484)];
-                let _e546 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e488.x * _e430) + (_e500.x * _e432)) + (_e516.x * _e434)) + (_e532.x * _e435)), ((((_e488.y * _e430) + (_e500.y * _e432)) + (_e516.y * _e434)) + (_e532.y * _e435)), ((((_e488.z * _e430) + (_e500.z * _e432)) + (_e516.z * _e434)) + (_e532.z * _e435)), ((((_e488.w * _e430) + (_e500.w * _e432)) + (_e516.w * _e434)) + (_e532.w * _e435))), _e348);
-                let _e548 = p.member.epsilon;
-                if (_e546 <= _e548) {
-                    phi_1593_ = true;
+                let _e574 = map.member[(0u + _e526)];
+                let _e588 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e530.x * _e472) + (_e542.x * _e474)) + (_e558.x * _e476)) + (_e574.x * _e477)), ((((_e530.y * _e472) + (_e542.y * _e474)) + (_e558.y * _e476)) + (_e574.y * _e477)), ((((_e530.z * _e472) + (_e542.z * _e474)) + (_e558.z * _e476)) + (_e574.z * _e477)), ((((_e530.w * _e472) + (_e542.w * _e474)) + (_e558.w * _e476)) + (_e574.w * _e477))), _e390);
+                let _e590 = p.member.epsilon;
+                if (_e588 <= _e590) {
+                    phi_1643_ = true;
                 } else {
-                    phi_1593_ = (_e546 >= (1f - _e548));
+                    phi_1643_ = (_e588 >= (1f - _e590));
                 }
-                let _e553 = phi_1593_;
-                if ((bitcast<u32>(_e546) & 2147483647u) > 2139095040u) {
-                    phi_1601_ = true;
+                let _e595 = phi_1643_;
+                if ((bitcast<u32>(_e588) & 2147483647u) > 2139095040u) {
+                    phi_1651_ = true;
                 } else {
-                    phi_1601_ = !(_e553);
+                    phi_1651_ = !(_e595);
                 }
-                let _e559 = phi_1601_;
-                if _e559 {
-                    if (_e546 > 0f) {
-                        if (_e546 < 1f) {
-                            phi_1613_ = false;
+                let _e601 = phi_1651_;
+                if _e601 {
+                    if (_e588 > 0f) {
+                        if (_e588 < 1f) {
+                            phi_1663_ = false;
                         } else {
-                            phi_1613_ = true;
+                            phi_1663_ = true;
                         }
-                        let _e563 = phi_1613_;
-                        phi_1614_ = _e563;
+                        let _e605 = phi_1663_;
+                        phi_1664_ = _e605;
                     } else {
-                        phi_1614_ = true;
+                        phi_1664_ = true;
                     }
-                    let _e565 = phi_1614_;
-                    if _e565 {
-                        phi_1618_ = 0.5f;
+                    let _e607 = phi_1664_;
+                    if _e607 {
+                        phi_1668_ = 0.5f;
                     } else {
-                        phi_1618_ = _e546;
+                        phi_1668_ = _e588;
                     }
-                    let _e567 = phi_1618_;
-                    phi_1626_ = evaluate_Verdict(_e567, true);
+                    let _e609 = phi_1668_;
+                    phi_1676_ = evaluate_Verdict(_e609, true);
                 } else {
-                    if (_e546 > 0.5f) {
-                        phi_1624_ = 1f;
+                    if (_e588 > 0.5f) {
+                        phi_1674_ = 1f;
                     } else {
-                        phi_1624_ = 0f;
+                        phi_1674_ = 0f;
                     }
-                    let _e571 = phi_1624_;
-                    phi_1626_ = evaluate_Verdict(_e571, false);
+                    let _e613 = phi_1674_;
+                    phi_1676_ = evaluate_Verdict(_e613, false);
                 }
-                let _e574 = phi_1626_;
-                phi_1631_ = evaluate_Verdict(_e574.visibility, _e574.is_doubted);
+                let _e616 = phi_1676_;
+                phi_1681_ = evaluate_Verdict(_e616.visibility, _e616.is_doubted);
             } else {
-                phi_1631_ = evaluate_Verdict(0.5f, true);
+                phi_1681_ = evaluate_Verdict(0.5f, true);
             }
-            let _e580 = phi_1631_;
-            phi_1632_ = _e580;
+            let _e622 = phi_1681_;
+            phi_1682_ = _e622;
         }
-        let _e582 = phi_1632_;
-        if (_e54.first_primitive < arrayLength((&visibility.member))) {
+        let _e624 = phi_1682_;
+        if (_e53.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e54.first_primitive)] = _e582.visibility;
+        visibility.member[(0u + _e53.first_primitive)] = _e624.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,18 +52,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -85,46 +94,46 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_33;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_39;
+var<storage> levels: type_41;
 @group(0) @binding(2) 
-var<storage> map: type_29;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_157_: lt_bvh_traverse_Tree;
-    var phi_158_: bool;
-    var phi_159_: lt_bvh_traverse_Tree;
-    var phi_160_: bool;
-    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_161_: lt_bvh_traverse_Tree;
+    var phi_162_: bool;
+    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_164_: bool;
+    var phi_169_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_157_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_158_ = false;
+            phi_161_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_162_ = false;
         } else {
-            phi_157_ = lt_bvh_traverse_Tree();
-            phi_158_ = true;
+            phi_161_ = lt_bvh_traverse_Tree();
+            phi_162_ = true;
         }
-        let _e54 = phi_157_;
-        let _e56 = phi_158_;
-        phi_159_ = _e54;
-        phi_160_ = _e56;
+        let _e55 = phi_161_;
+        let _e57 = phi_162_;
+        phi_163_ = _e55;
+        phi_164_ = _e57;
     } else {
-        phi_159_ = lt_bvh_traverse_Tree();
-        phi_160_ = true;
+        phi_163_ = lt_bvh_traverse_Tree();
+        phi_164_ = true;
     }
-    let _e58 = phi_159_;
-    let _e60 = phi_160_;
-    if _e60 {
-        phi_165_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e59 = phi_163_;
+    let _e61 = phi_164_;
+    if _e61 {
+        phi_169_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_165_ = _e58;
+        phi_169_ = _e59;
     }
-    let _e65 = phi_165_;
-    return lt_bvh_traverse_Tree(_e65.root, _e65.first_primitive);
+    let _e66 = phi_169_;
+    return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -136,1338 +145,1384 @@ fn lt_math_hausdorff_cubic_mass(param_4: vec4<f32>, param_5: f32, param_6: f32, 
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFactors>, param_10: f32) -> f32 {
-    var phi_935_: f32;
-    var phi_936_: f32;
-    var phi_937_: f32;
-    var phi_964_: f32;
-    var phi_965_: f32;
-    var phi_966_: f32;
-    var phi_967_: f32;
-    var phi_968_: bool;
+    var phi_939_: f32;
+    var phi_940_: f32;
+    var phi_941_: f32;
+    var phi_968_: f32;
     var phi_969_: f32;
-    var phi_970_: bool;
-    var phi_998_: f32;
-    var phi_999_: f32;
-    var phi_1000_: f32;
-    var phi_1001_: f32;
-    var phi_1002_: bool;
+    var phi_970_: f32;
+    var phi_971_: f32;
+    var phi_972_: bool;
+    var phi_973_: f32;
+    var phi_974_: bool;
+    var phi_1002_: f32;
     var phi_1003_: f32;
-    var phi_1004_: bool;
-    var phi_1011_: f32;
-    var phi_1012_: f32;
-    var phi_1013_: f32;
-    var phi_1014_: f32;
+    var phi_1004_: f32;
+    var phi_1005_: f32;
+    var phi_1006_: bool;
+    var phi_1007_: f32;
+    var phi_1008_: bool;
+    var phi_1015_: f32;
+    var phi_1016_: f32;
+    var phi_1017_: f32;
+    var phi_1018_: f32;
 
-    let _e44 = (*param_9).moments;
+    let _e45 = (*param_9).moments;
     if (param_10 < 0.0001f) {
-        phi_1014_ = 1f;
+        phi_1018_ = 1f;
     } else {
-        let _e53 = ((_e44.z - ((1f + param_10) * _e44.y)) + (param_10 * _e44.x));
-        let _e62 = (((_e44.w - ((1f + param_10) * _e44.z)) + (param_10 * _e44.y)) / _e53);
-        if (abs(_e53) <= 0.00000047683716f) {
-            let _e76 = (1f - (((_e44.y - (_e44.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
-            if ((bitcast<u32>(_e76) & 2147483647u) > 2139095040u) {
-                phi_937_ = _e76;
+        let _e54 = ((_e45.z - ((1f + param_10) * _e45.y)) + (param_10 * _e45.x));
+        let _e63 = (((_e45.w - ((1f + param_10) * _e45.z)) + (param_10 * _e45.y)) / _e54);
+        if (abs(_e54) <= 0.00000047683716f) {
+            let _e77 = (1f - (((_e45.y - (_e45.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
+            if ((bitcast<u32>(_e77) & 2147483647u) > 2139095040u) {
+                phi_941_ = _e77;
             } else {
-                if (_e76 < 0f) {
-                    phi_936_ = 0f;
+                if (_e77 < 0f) {
+                    phi_940_ = 0f;
                 } else {
-                    if (_e76 > 1f) {
-                        phi_935_ = 1f;
+                    if (_e77 > 1f) {
+                        phi_939_ = 1f;
                     } else {
-                        phi_935_ = _e76;
+                        phi_939_ = _e77;
                     }
-                    let _e83 = phi_935_;
-                    phi_936_ = _e83;
+                    let _e84 = phi_939_;
+                    phi_940_ = _e84;
                 }
-                let _e85 = phi_936_;
-                phi_937_ = _e85;
+                let _e86 = phi_940_;
+                phi_941_ = _e86;
             }
-            let _e87 = phi_937_;
-            phi_1013_ = _e87;
+            let _e88 = phi_941_;
+            phi_1017_ = _e88;
         } else {
-            if (_e62 > 0f) {
-                if (_e62 < param_10) {
-                    let _e90 = lt_math_hausdorff_cubic_mass(_e44, 0f, _e62, param_10, 1f);
-                    let _e92 = lt_math_hausdorff_cubic_mass(_e44, _e62, 0f, param_10, 1f);
-                    let _e93 = ((1f - _e90) - _e92);
-                    if ((bitcast<u32>(_e93) & 2147483647u) > 2139095040u) {
-                        phi_966_ = _e93;
+            if (_e63 > 0f) {
+                if (_e63 < param_10) {
+                    let _e91 = lt_math_hausdorff_cubic_mass(_e45, 0f, _e63, param_10, 1f);
+                    let _e93 = lt_math_hausdorff_cubic_mass(_e45, _e63, 0f, param_10, 1f);
+                    let _e94 = ((1f - _e91) - _e93);
+                    if ((bitcast<u32>(_e94) & 2147483647u) > 2139095040u) {
+                        phi_970_ = _e94;
                     } else {
-                        if (_e93 < 0f) {
-                            phi_965_ = 0f;
+                        if (_e94 < 0f) {
+                            phi_969_ = 0f;
                         } else {
-                            if (_e93 > 1f) {
-                                phi_964_ = 1f;
+                            if (_e94 > 1f) {
+                                phi_968_ = 1f;
                             } else {
-                                phi_964_ = _e93;
+                                phi_968_ = _e94;
                             }
-                            let _e100 = phi_964_;
-                            phi_965_ = _e100;
+                            let _e101 = phi_968_;
+                            phi_969_ = _e101;
                         }
-                        let _e102 = phi_965_;
-                        phi_966_ = _e102;
+                        let _e103 = phi_969_;
+                        phi_970_ = _e103;
                     }
-                    let _e104 = phi_966_;
-                    phi_967_ = _e104;
-                    phi_968_ = false;
+                    let _e105 = phi_970_;
+                    phi_971_ = _e105;
+                    phi_972_ = false;
                 } else {
-                    phi_967_ = f32();
-                    phi_968_ = true;
+                    phi_971_ = f32();
+                    phi_972_ = true;
                 }
-                let _e106 = phi_967_;
-                let _e108 = phi_968_;
-                phi_969_ = _e106;
-                phi_970_ = _e108;
+                let _e107 = phi_971_;
+                let _e109 = phi_972_;
+                phi_973_ = _e107;
+                phi_974_ = _e109;
             } else {
-                phi_969_ = f32();
-                phi_970_ = true;
+                phi_973_ = f32();
+                phi_974_ = true;
             }
-            let _e110 = phi_969_;
-            let _e112 = phi_970_;
-            if _e112 {
-                if (_e62 > param_10) {
-                    if (_e62 < 1f) {
-                        let _e115 = lt_math_hausdorff_cubic_mass(_e44, 0f, _e62, param_10, 1f);
-                        let _e116 = (1f - _e115);
-                        if ((bitcast<u32>(_e116) & 2147483647u) > 2139095040u) {
-                            phi_1000_ = _e116;
+            let _e111 = phi_973_;
+            let _e113 = phi_974_;
+            if _e113 {
+                if (_e63 > param_10) {
+                    if (_e63 < 1f) {
+                        let _e116 = lt_math_hausdorff_cubic_mass(_e45, 0f, _e63, param_10, 1f);
+                        let _e117 = (1f - _e116);
+                        if ((bitcast<u32>(_e117) & 2147483647u) > 2139095040u) {
+                            phi_1004_ = _e117;
                         } else {
-                            if (_e116 < 0f) {
-                                phi_999_ = 0f;
+                            if (_e117 < 0f) {
+                                phi_1003_ = 0f;
                             } else {
-                                if (_e116 > 1f) {
-                                    phi_998_ = 1f;
+                                if (_e117 > 1f) {
+                                    phi_1002_ = 1f;
                                 } else {
-                                    phi_998_ = _e116;
+                                    phi_1002_ = _e117;
                                 }
-                                let _e123 = phi_998_;
-                                phi_999_ = _e123;
+                                let _e124 = phi_1002_;
+                                phi_1003_ = _e124;
                             }
-                            let _e125 = phi_999_;
-                            phi_1000_ = _e125;
+                            let _e126 = phi_1003_;
+                            phi_1004_ = _e126;
                         }
-                        let _e127 = phi_1000_;
-                        phi_1001_ = _e127;
-                        phi_1002_ = false;
+                        let _e128 = phi_1004_;
+                        phi_1005_ = _e128;
+                        phi_1006_ = false;
                     } else {
-                        phi_1001_ = f32();
-                        phi_1002_ = true;
+                        phi_1005_ = f32();
+                        phi_1006_ = true;
                     }
-                    let _e129 = phi_1001_;
-                    let _e131 = phi_1002_;
-                    phi_1003_ = _e129;
-                    phi_1004_ = _e131;
+                    let _e130 = phi_1005_;
+                    let _e132 = phi_1006_;
+                    phi_1007_ = _e130;
+                    phi_1008_ = _e132;
                 } else {
-                    phi_1003_ = f32();
-                    phi_1004_ = true;
+                    phi_1007_ = f32();
+                    phi_1008_ = true;
                 }
-                let _e133 = phi_1003_;
-                let _e135 = phi_1004_;
-                if _e135 {
-                    phi_1011_ = bitcast<f32>((bitcast<u32>(_e62) | 2143289344u));
+                let _e134 = phi_1007_;
+                let _e136 = phi_1008_;
+                if _e136 {
+                    phi_1015_ = bitcast<f32>((bitcast<u32>(_e63) | 2143289344u));
                 } else {
-                    phi_1011_ = _e133;
+                    phi_1015_ = _e134;
                 }
-                let _e140 = phi_1011_;
-                phi_1012_ = _e140;
+                let _e141 = phi_1015_;
+                phi_1016_ = _e141;
             } else {
-                phi_1012_ = _e110;
+                phi_1016_ = _e111;
             }
-            let _e142 = phi_1012_;
-            phi_1013_ = _e142;
+            let _e143 = phi_1016_;
+            phi_1017_ = _e143;
         }
-        let _e144 = phi_1013_;
-        phi_1014_ = _e144;
+        let _e145 = phi_1017_;
+        phi_1018_ = _e145;
     }
-    let _e146 = phi_1014_;
-    return _e146;
+    let _e147 = phi_1018_;
+    return _e147;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_11: ptr<function, f32>, param_12: vec4<f32>, param_13: f32) -> f32 {
     var local: hankel_HankelFactors;
-    var phi_222_: f32;
-    var phi_223_: f32;
-    var phi_224_: f32;
-    var phi_236_: bool;
-    var phi_251_: bool;
-    var phi_276_: f32;
-    var phi_277_: f32;
-    var phi_278_: f32;
-    var phi_279_: f32;
-    var phi_280_: bool;
+    var phi_226_: f32;
+    var phi_227_: f32;
+    var phi_228_: f32;
+    var phi_240_: bool;
+    var phi_255_: bool;
+    var phi_280_: f32;
     var phi_281_: f32;
-    var phi_282_: bool;
-    var phi_338_: vec2<f32>;
-    var phi_376_: f32;
-    var phi_377_: f32;
-    var phi_378_: f32;
-    var phi_411_: f32;
-    var phi_412_: f32;
-    var phi_413_: f32;
+    var phi_282_: f32;
+    var phi_283_: f32;
+    var phi_284_: bool;
+    var phi_285_: f32;
+    var phi_286_: bool;
+    var phi_342_: vec2<f32>;
+    var phi_380_: f32;
+    var phi_381_: f32;
+    var phi_382_: f32;
+    var phi_415_: f32;
+    var phi_416_: f32;
     var phi_417_: f32;
-    var phi_418_: f32;
-    var phi_419_: f32;
-    var phi_420_: f32;
-    var phi_473_: vec2<f32>;
-    var phi_495_: bool;
-    var phi_520_: f32;
-    var phi_521_: f32;
-    var phi_522_: f32;
-    var phi_523_: f32;
-    var phi_524_: bool;
+    var phi_421_: f32;
+    var phi_422_: f32;
+    var phi_423_: f32;
+    var phi_424_: f32;
+    var phi_477_: vec2<f32>;
+    var phi_499_: bool;
+    var phi_524_: f32;
     var phi_525_: f32;
-    var phi_526_: bool;
-    var phi_582_: vec2<f32>;
-    var phi_620_: f32;
-    var phi_621_: f32;
-    var phi_622_: f32;
-    var phi_655_: f32;
-    var phi_656_: f32;
-    var phi_657_: f32;
+    var phi_526_: f32;
+    var phi_527_: f32;
+    var phi_528_: bool;
+    var phi_529_: f32;
+    var phi_530_: bool;
+    var phi_586_: vec2<f32>;
+    var phi_624_: f32;
+    var phi_625_: f32;
+    var phi_626_: f32;
+    var phi_659_: f32;
+    var phi_660_: f32;
     var phi_661_: f32;
-    var phi_662_: f32;
-    var phi_663_: f32;
-    var phi_664_: f32;
     var phi_665_: f32;
-    var phi_666_: bool;
+    var phi_666_: f32;
     var phi_667_: f32;
-    var phi_668_: bool;
-    var phi_690_: bool;
-    var phi_715_: f32;
-    var phi_716_: f32;
-    var phi_717_: f32;
-    var phi_718_: f32;
-    var phi_719_: bool;
+    var phi_668_: f32;
+    var phi_669_: f32;
+    var phi_670_: bool;
+    var phi_671_: f32;
+    var phi_672_: bool;
+    var phi_694_: bool;
+    var phi_719_: f32;
     var phi_720_: f32;
-    var phi_721_: bool;
-    var phi_777_: vec2<f32>;
-    var phi_815_: f32;
-    var phi_816_: f32;
-    var phi_817_: f32;
-    var phi_850_: f32;
-    var phi_851_: f32;
-    var phi_852_: f32;
+    var phi_721_: f32;
+    var phi_722_: f32;
+    var phi_723_: bool;
+    var phi_724_: f32;
+    var phi_725_: bool;
+    var phi_781_: vec2<f32>;
+    var phi_819_: f32;
+    var phi_820_: f32;
+    var phi_821_: f32;
+    var phi_854_: f32;
+    var phi_855_: f32;
     var phi_856_: f32;
-    var phi_857_: f32;
-    var phi_858_: f32;
-    var phi_859_: f32;
-    var phi_870_: bool;
-    var phi_874_: f32;
-    var phi_875_: f32;
-    var phi_876_: f32;
-    var phi_877_: f32;
+    var phi_860_: f32;
+    var phi_861_: f32;
+    var phi_862_: f32;
+    var phi_863_: f32;
+    var phi_874_: bool;
+    var phi_878_: f32;
+    var phi_879_: f32;
+    var phi_880_: f32;
+    var phi_881_: f32;
 
-    let _e45 = (*param_11);
-    let _e46 = (1f - _e45);
-    let _e55 = (0.5f * _e45);
-    let _e56 = ((param_12.x * _e46) + _e55);
-    let _e57 = ((param_12.y * _e46) + _e55);
-    let _e58 = ((param_12.z * _e46) + _e55);
-    let _e59 = ((param_12.w * _e46) + _e55);
-    let _e62 = (_e57 - (_e56 * _e56));
-    let _e64 = (_e58 - (_e56 * _e57));
-    let _e70 = hankel_HankelFactors(vec4<f32>(_e56, _e57, _e58, _e59), _e62, _e64, (((_e59 - (_e57 * _e57)) * _e62) - (_e64 * _e64)));
-    local = hankel_HankelFactors(_e70.moments, _e70.d22_, _e70.l32_d22_, _e70.d33_d22_);
+    let _e46 = (*param_11);
+    let _e47 = (1f - _e46);
+    let _e56 = (0.5f * _e46);
+    let _e57 = ((param_12.x * _e47) + _e56);
+    let _e58 = ((param_12.y * _e47) + _e56);
+    let _e59 = ((param_12.z * _e47) + _e56);
+    let _e60 = ((param_12.w * _e47) + _e56);
+    let _e63 = (_e58 - (_e57 * _e57));
+    let _e65 = (_e59 - (_e57 * _e58));
+    let _e71 = hankel_HankelFactors(vec4<f32>(_e57, _e58, _e59, _e60), _e63, _e65, (((_e60 - (_e58 * _e58)) * _e63) - (_e65 * _e65)));
+    local = hankel_HankelFactors(_e71.moments, _e71.d22_, _e71.l32_d22_, _e71.d33_d22_);
     if ((bitcast<u32>(param_13) & 2147483647u) > 2139095040u) {
-        phi_224_ = param_13;
+        phi_228_ = param_13;
     } else {
         if (param_13 < 0f) {
-            phi_223_ = 0f;
+            phi_227_ = 0f;
         } else {
             if (param_13 > 1f) {
-                phi_222_ = 1f;
+                phi_226_ = 1f;
             } else {
-                phi_222_ = param_13;
+                phi_226_ = param_13;
             }
-            let _e82 = phi_222_;
-            phi_223_ = _e82;
+            let _e83 = phi_226_;
+            phi_227_ = _e83;
         }
-        let _e84 = phi_223_;
-        phi_224_ = _e84;
+        let _e85 = phi_227_;
+        phi_228_ = _e85;
     }
-    let _e86 = phi_224_;
-    let _e89 = local.moments[0u];
-    let _e92 = local.moments[3u];
-    if (_e89 == _e92) {
-        let _e96 = local.moments[0u];
-        phi_236_ = (_e96 > 0.5f);
+    let _e87 = phi_228_;
+    let _e90 = local.moments[0u];
+    let _e93 = local.moments[3u];
+    if (_e90 == _e93) {
+        let _e97 = local.moments[0u];
+        phi_240_ = (_e97 > 0.5f);
     } else {
-        phi_236_ = false;
+        phi_240_ = false;
     }
-    let _e99 = phi_236_;
-    if _e99 {
-        let _e102 = local.moments[0u];
-        let _e105 = local.moments[3u];
-        if (_e102 == _e105) {
-            let _e109 = local.moments[0u];
-            phi_251_ = (_e109 > 0.5f);
+    let _e100 = phi_240_;
+    if _e100 {
+        let _e103 = local.moments[0u];
+        let _e106 = local.moments[3u];
+        if (_e103 == _e106) {
+            let _e110 = local.moments[0u];
+            phi_255_ = (_e110 > 0.5f);
         } else {
-            phi_251_ = false;
+            phi_255_ = false;
         }
-        let _e112 = phi_251_;
-        if _e112 {
-            if (_e86 > 0f) {
-                let _e115 = local.moments;
-                if ((bitcast<u32>(_e115.x) & 2147483647u) > 2139095040u) {
-                    phi_278_ = _e115.x;
+        let _e113 = phi_255_;
+        if _e113 {
+            if (_e87 > 0f) {
+                let _e116 = local.moments;
+                if ((bitcast<u32>(_e116.x) & 2147483647u) > 2139095040u) {
+                    phi_282_ = _e116.x;
                 } else {
-                    if (_e115.x < 0f) {
-                        phi_277_ = 0f;
+                    if (_e116.x < 0f) {
+                        phi_281_ = 0f;
                     } else {
-                        if (_e115.x > 1f) {
-                            phi_276_ = 1f;
+                        if (_e116.x > 1f) {
+                            phi_280_ = 1f;
                         } else {
-                            phi_276_ = _e115.x;
+                            phi_280_ = _e116.x;
                         }
-                        let _e123 = phi_276_;
-                        phi_277_ = _e123;
+                        let _e124 = phi_280_;
+                        phi_281_ = _e124;
                     }
-                    let _e125 = phi_277_;
-                    phi_278_ = _e125;
+                    let _e126 = phi_281_;
+                    phi_282_ = _e126;
                 }
-                let _e127 = phi_278_;
-                phi_279_ = _e127;
-                phi_280_ = false;
+                let _e128 = phi_282_;
+                phi_283_ = _e128;
+                phi_284_ = false;
             } else {
-                phi_279_ = f32();
-                phi_280_ = true;
+                phi_283_ = f32();
+                phi_284_ = true;
             }
-            let _e129 = phi_279_;
-            let _e131 = phi_280_;
-            phi_281_ = _e129;
-            phi_282_ = _e131;
+            let _e130 = phi_283_;
+            let _e132 = phi_284_;
+            phi_285_ = _e130;
+            phi_286_ = _e132;
         } else {
-            phi_281_ = f32();
-            phi_282_ = true;
+            phi_285_ = f32();
+            phi_286_ = true;
         }
-        let _e133 = phi_281_;
-        let _e135 = phi_282_;
-        if _e135 {
-            let _e138 = local.moments[0u];
-            let _e141 = local.moments[1u];
-            let _e149 = local.l32_d22_;
-            let _e151 = local.d22_;
-            let _e152 = (_e149 / _e151);
-            let _e153 = (_e86 - _e138);
-            let _e159 = local.d22_;
-            let _e162 = local.d33_d22_;
-            let _e163 = (((((_e86 * _e86) - _e141) - (_e152 * _e153)) * _e159) / _e162);
-            let _e165 = local.d22_;
-            let _e168 = ((_e153 / _e165) - (_e152 * _e163));
-            let _e174 = ((0.5f * _e168) / _e163);
-            let _e177 = ((_e174 * _e174) - (((1f - (_e168 * _e138)) - (_e163 * _e141)) / _e163));
-            if (_e177 >= 0f) {
-                let _e179 = sqrt(_e177);
-                phi_338_ = vec2<f32>((-(_e174) - _e179), (-(_e174) + _e179));
+        let _e134 = phi_285_;
+        let _e136 = phi_286_;
+        if _e136 {
+            let _e139 = local.moments[0u];
+            let _e142 = local.moments[1u];
+            let _e150 = local.l32_d22_;
+            let _e152 = local.d22_;
+            let _e153 = (_e150 / _e152);
+            let _e154 = (_e87 - _e139);
+            let _e160 = local.d22_;
+            let _e163 = local.d33_d22_;
+            let _e164 = (((((_e87 * _e87) - _e142) - (_e153 * _e154)) * _e160) / _e163);
+            let _e166 = local.d22_;
+            let _e169 = ((_e154 / _e166) - (_e153 * _e164));
+            let _e175 = ((0.5f * _e169) / _e164);
+            let _e178 = ((_e175 * _e175) - (((1f - (_e169 * _e139)) - (_e164 * _e142)) / _e164));
+            if (_e178 >= 0f) {
+                let _e180 = sqrt(_e178);
+                phi_342_ = vec2<f32>((-(_e175) - _e180), (-(_e175) + _e180));
             } else {
-                phi_338_ = vec2(bitcast<f32>((bitcast<u32>(_e177) | 2143289344u)));
+                phi_342_ = vec2(bitcast<f32>((bitcast<u32>(_e178) | 2143289344u)));
             }
-            let _e190 = phi_338_;
-            if (_e86 <= _e190.x) {
-                phi_419_ = 1f;
+            let _e191 = phi_342_;
+            if (_e87 <= _e191.x) {
+                phi_423_ = 1f;
             } else {
-                if (_e86 > _e190.y) {
-                    let _e196 = local.moments;
-                    let _e207 = (((_e196.y - (_e196.x * (_e190.x + _e190.y))) + (_e190.x * _e190.y)) / ((_e86 - _e190.x) * (_e86 - _e190.y)));
-                    if ((bitcast<u32>(_e207) & 2147483647u) > 2139095040u) {
-                        phi_378_ = _e207;
+                if (_e87 > _e191.y) {
+                    let _e197 = local.moments;
+                    let _e208 = (((_e197.y - (_e197.x * (_e191.x + _e191.y))) + (_e191.x * _e191.y)) / ((_e87 - _e191.x) * (_e87 - _e191.y)));
+                    if ((bitcast<u32>(_e208) & 2147483647u) > 2139095040u) {
+                        phi_382_ = _e208;
                     } else {
-                        if (_e207 < 0f) {
-                            phi_377_ = 0f;
+                        if (_e208 < 0f) {
+                            phi_381_ = 0f;
                         } else {
-                            if (_e207 > 1f) {
-                                phi_376_ = 1f;
+                            if (_e208 > 1f) {
+                                phi_380_ = 1f;
                             } else {
-                                phi_376_ = _e207;
+                                phi_380_ = _e208;
                             }
-                            let _e214 = phi_376_;
-                            phi_377_ = _e214;
+                            let _e215 = phi_380_;
+                            phi_381_ = _e215;
                         }
-                        let _e216 = phi_377_;
-                        phi_378_ = _e216;
+                        let _e217 = phi_381_;
+                        phi_382_ = _e217;
                     }
-                    let _e218 = phi_378_;
-                    phi_418_ = _e218;
+                    let _e219 = phi_382_;
+                    phi_422_ = _e219;
                 } else {
-                    if (_e86 > _e190.x) {
-                        let _e221 = local.moments;
-                        let _e233 = (1f - (((_e221.y - (_e221.x * (_e86 + _e190.y))) + (_e86 * _e190.y)) / ((_e190.x - _e86) * (_e190.x - _e190.y))));
-                        if ((bitcast<u32>(_e233) & 2147483647u) > 2139095040u) {
-                            phi_413_ = _e233;
+                    if (_e87 > _e191.x) {
+                        let _e222 = local.moments;
+                        let _e234 = (1f - (((_e222.y - (_e222.x * (_e87 + _e191.y))) + (_e87 * _e191.y)) / ((_e191.x - _e87) * (_e191.x - _e191.y))));
+                        if ((bitcast<u32>(_e234) & 2147483647u) > 2139095040u) {
+                            phi_417_ = _e234;
                         } else {
-                            if (_e233 < 0f) {
-                                phi_412_ = 0f;
+                            if (_e234 < 0f) {
+                                phi_416_ = 0f;
                             } else {
-                                if (_e233 > 1f) {
-                                    phi_411_ = 1f;
+                                if (_e234 > 1f) {
+                                    phi_415_ = 1f;
                                 } else {
-                                    phi_411_ = _e233;
+                                    phi_415_ = _e234;
                                 }
-                                let _e240 = phi_411_;
-                                phi_412_ = _e240;
+                                let _e241 = phi_415_;
+                                phi_416_ = _e241;
                             }
-                            let _e242 = phi_412_;
-                            phi_413_ = _e242;
+                            let _e243 = phi_416_;
+                            phi_417_ = _e243;
                         }
-                        let _e244 = phi_413_;
-                        phi_417_ = _e244;
+                        let _e245 = phi_417_;
+                        phi_421_ = _e245;
                     } else {
-                        phi_417_ = bitcast<f32>((bitcast<u32>(_e190.x) | 2143289344u));
+                        phi_421_ = bitcast<f32>((bitcast<u32>(_e191.x) | 2143289344u));
                     }
-                    let _e249 = phi_417_;
-                    phi_418_ = _e249;
+                    let _e250 = phi_421_;
+                    phi_422_ = _e250;
                 }
-                let _e251 = phi_418_;
-                phi_419_ = _e251;
+                let _e252 = phi_422_;
+                phi_423_ = _e252;
             }
-            let _e253 = phi_419_;
-            phi_420_ = _e253;
+            let _e254 = phi_423_;
+            phi_424_ = _e254;
         } else {
-            phi_420_ = _e133;
+            phi_424_ = _e134;
         }
-        let _e255 = phi_420_;
-        phi_877_ = _e255;
+        let _e256 = phi_424_;
+        phi_881_ = _e256;
     } else {
-        let _e258 = local.moments[0u];
-        let _e261 = local.moments[1u];
-        let _e269 = local.l32_d22_;
-        let _e271 = local.d22_;
-        let _e272 = (_e269 / _e271);
-        let _e273 = (_e86 - _e258);
-        let _e279 = local.d22_;
-        let _e282 = local.d33_d22_;
-        let _e283 = (((((_e86 * _e86) - _e261) - (_e272 * _e273)) * _e279) / _e282);
-        let _e285 = local.d22_;
-        let _e288 = ((_e273 / _e285) - (_e272 * _e283));
-        let _e294 = ((0.5f * _e288) / _e283);
-        let _e297 = ((_e294 * _e294) - (((1f - (_e288 * _e258)) - (_e283 * _e261)) / _e283));
-        if (_e297 >= 0f) {
-            let _e299 = sqrt(_e297);
-            phi_473_ = vec2<f32>((-(_e294) - _e299), (-(_e294) + _e299));
+        let _e259 = local.moments[0u];
+        let _e262 = local.moments[1u];
+        let _e270 = local.l32_d22_;
+        let _e272 = local.d22_;
+        let _e273 = (_e270 / _e272);
+        let _e274 = (_e87 - _e259);
+        let _e280 = local.d22_;
+        let _e283 = local.d33_d22_;
+        let _e284 = (((((_e87 * _e87) - _e262) - (_e273 * _e274)) * _e280) / _e283);
+        let _e286 = local.d22_;
+        let _e289 = ((_e274 / _e286) - (_e273 * _e284));
+        let _e295 = ((0.5f * _e289) / _e284);
+        let _e298 = ((_e295 * _e295) - (((1f - (_e289 * _e259)) - (_e284 * _e262)) / _e284));
+        if (_e298 >= 0f) {
+            let _e300 = sqrt(_e298);
+            phi_477_ = vec2<f32>((-(_e295) - _e300), (-(_e295) + _e300));
         } else {
-            phi_473_ = vec2(bitcast<f32>((bitcast<u32>(_e297) | 2143289344u)));
+            phi_477_ = vec2(bitcast<f32>((bitcast<u32>(_e298) | 2143289344u)));
         }
-        let _e310 = phi_473_;
-        if (_e310.x >= 0f) {
-            if (_e310.y <= 1f) {
-                let _e317 = local.moments[0u];
-                let _e320 = local.moments[3u];
-                if (_e317 == _e320) {
-                    let _e324 = local.moments[0u];
-                    phi_495_ = (_e324 > 0.5f);
+        let _e311 = phi_477_;
+        if (_e311.x >= 0f) {
+            if (_e311.y <= 1f) {
+                let _e318 = local.moments[0u];
+                let _e321 = local.moments[3u];
+                if (_e318 == _e321) {
+                    let _e325 = local.moments[0u];
+                    phi_499_ = (_e325 > 0.5f);
                 } else {
-                    phi_495_ = false;
+                    phi_499_ = false;
                 }
-                let _e327 = phi_495_;
-                if _e327 {
-                    if (_e86 > 0f) {
-                        let _e330 = local.moments;
-                        if ((bitcast<u32>(_e330.x) & 2147483647u) > 2139095040u) {
-                            phi_522_ = _e330.x;
+                let _e328 = phi_499_;
+                if _e328 {
+                    if (_e87 > 0f) {
+                        let _e331 = local.moments;
+                        if ((bitcast<u32>(_e331.x) & 2147483647u) > 2139095040u) {
+                            phi_526_ = _e331.x;
                         } else {
-                            if (_e330.x < 0f) {
-                                phi_521_ = 0f;
+                            if (_e331.x < 0f) {
+                                phi_525_ = 0f;
                             } else {
-                                if (_e330.x > 1f) {
-                                    phi_520_ = 1f;
+                                if (_e331.x > 1f) {
+                                    phi_524_ = 1f;
                                 } else {
-                                    phi_520_ = _e330.x;
+                                    phi_524_ = _e331.x;
                                 }
-                                let _e338 = phi_520_;
-                                phi_521_ = _e338;
+                                let _e339 = phi_524_;
+                                phi_525_ = _e339;
                             }
-                            let _e340 = phi_521_;
-                            phi_522_ = _e340;
+                            let _e341 = phi_525_;
+                            phi_526_ = _e341;
                         }
-                        let _e342 = phi_522_;
-                        phi_523_ = _e342;
-                        phi_524_ = false;
+                        let _e343 = phi_526_;
+                        phi_527_ = _e343;
+                        phi_528_ = false;
                     } else {
-                        phi_523_ = f32();
-                        phi_524_ = true;
+                        phi_527_ = f32();
+                        phi_528_ = true;
                     }
-                    let _e344 = phi_523_;
-                    let _e346 = phi_524_;
-                    phi_525_ = _e344;
-                    phi_526_ = _e346;
+                    let _e345 = phi_527_;
+                    let _e347 = phi_528_;
+                    phi_529_ = _e345;
+                    phi_530_ = _e347;
                 } else {
-                    phi_525_ = f32();
-                    phi_526_ = true;
+                    phi_529_ = f32();
+                    phi_530_ = true;
                 }
-                let _e348 = phi_525_;
-                let _e350 = phi_526_;
-                if _e350 {
-                    let _e353 = local.moments[0u];
-                    let _e356 = local.moments[1u];
-                    let _e364 = local.l32_d22_;
-                    let _e366 = local.d22_;
-                    let _e367 = (_e364 / _e366);
-                    let _e368 = (_e86 - _e353);
-                    let _e374 = local.d22_;
-                    let _e377 = local.d33_d22_;
-                    let _e378 = (((((_e86 * _e86) - _e356) - (_e367 * _e368)) * _e374) / _e377);
-                    let _e380 = local.d22_;
-                    let _e383 = ((_e368 / _e380) - (_e367 * _e378));
-                    let _e389 = ((0.5f * _e383) / _e378);
-                    let _e392 = ((_e389 * _e389) - (((1f - (_e383 * _e353)) - (_e378 * _e356)) / _e378));
-                    if (_e392 >= 0f) {
-                        let _e394 = sqrt(_e392);
-                        phi_582_ = vec2<f32>((-(_e389) - _e394), (-(_e389) + _e394));
+                let _e349 = phi_529_;
+                let _e351 = phi_530_;
+                if _e351 {
+                    let _e354 = local.moments[0u];
+                    let _e357 = local.moments[1u];
+                    let _e365 = local.l32_d22_;
+                    let _e367 = local.d22_;
+                    let _e368 = (_e365 / _e367);
+                    let _e369 = (_e87 - _e354);
+                    let _e375 = local.d22_;
+                    let _e378 = local.d33_d22_;
+                    let _e379 = (((((_e87 * _e87) - _e357) - (_e368 * _e369)) * _e375) / _e378);
+                    let _e381 = local.d22_;
+                    let _e384 = ((_e369 / _e381) - (_e368 * _e379));
+                    let _e390 = ((0.5f * _e384) / _e379);
+                    let _e393 = ((_e390 * _e390) - (((1f - (_e384 * _e354)) - (_e379 * _e357)) / _e379));
+                    if (_e393 >= 0f) {
+                        let _e395 = sqrt(_e393);
+                        phi_586_ = vec2<f32>((-(_e390) - _e395), (-(_e390) + _e395));
                     } else {
-                        phi_582_ = vec2(bitcast<f32>((bitcast<u32>(_e392) | 2143289344u)));
+                        phi_586_ = vec2(bitcast<f32>((bitcast<u32>(_e393) | 2143289344u)));
                     }
-                    let _e405 = phi_582_;
-                    if (_e86 <= _e405.x) {
-                        phi_663_ = 1f;
+                    let _e406 = phi_586_;
+                    if (_e87 <= _e406.x) {
+                        phi_667_ = 1f;
                     } else {
-                        if (_e86 > _e405.y) {
-                            let _e411 = local.moments;
-                            let _e422 = (((_e411.y - (_e411.x * (_e405.x + _e405.y))) + (_e405.x * _e405.y)) / ((_e86 - _e405.x) * (_e86 - _e405.y)));
-                            if ((bitcast<u32>(_e422) & 2147483647u) > 2139095040u) {
-                                phi_622_ = _e422;
+                        if (_e87 > _e406.y) {
+                            let _e412 = local.moments;
+                            let _e423 = (((_e412.y - (_e412.x * (_e406.x + _e406.y))) + (_e406.x * _e406.y)) / ((_e87 - _e406.x) * (_e87 - _e406.y)));
+                            if ((bitcast<u32>(_e423) & 2147483647u) > 2139095040u) {
+                                phi_626_ = _e423;
                             } else {
-                                if (_e422 < 0f) {
-                                    phi_621_ = 0f;
+                                if (_e423 < 0f) {
+                                    phi_625_ = 0f;
                                 } else {
-                                    if (_e422 > 1f) {
-                                        phi_620_ = 1f;
+                                    if (_e423 > 1f) {
+                                        phi_624_ = 1f;
                                     } else {
-                                        phi_620_ = _e422;
+                                        phi_624_ = _e423;
                                     }
-                                    let _e429 = phi_620_;
-                                    phi_621_ = _e429;
+                                    let _e430 = phi_624_;
+                                    phi_625_ = _e430;
                                 }
-                                let _e431 = phi_621_;
-                                phi_622_ = _e431;
+                                let _e432 = phi_625_;
+                                phi_626_ = _e432;
                             }
-                            let _e433 = phi_622_;
-                            phi_662_ = _e433;
+                            let _e434 = phi_626_;
+                            phi_666_ = _e434;
                         } else {
-                            if (_e86 > _e405.x) {
-                                let _e436 = local.moments;
-                                let _e448 = (1f - (((_e436.y - (_e436.x * (_e86 + _e405.y))) + (_e86 * _e405.y)) / ((_e405.x - _e86) * (_e405.x - _e405.y))));
-                                if ((bitcast<u32>(_e448) & 2147483647u) > 2139095040u) {
-                                    phi_657_ = _e448;
+                            if (_e87 > _e406.x) {
+                                let _e437 = local.moments;
+                                let _e449 = (1f - (((_e437.y - (_e437.x * (_e87 + _e406.y))) + (_e87 * _e406.y)) / ((_e406.x - _e87) * (_e406.x - _e406.y))));
+                                if ((bitcast<u32>(_e449) & 2147483647u) > 2139095040u) {
+                                    phi_661_ = _e449;
                                 } else {
-                                    if (_e448 < 0f) {
-                                        phi_656_ = 0f;
+                                    if (_e449 < 0f) {
+                                        phi_660_ = 0f;
                                     } else {
-                                        if (_e448 > 1f) {
-                                            phi_655_ = 1f;
+                                        if (_e449 > 1f) {
+                                            phi_659_ = 1f;
                                         } else {
-                                            phi_655_ = _e448;
+                                            phi_659_ = _e449;
                                         }
-                                        let _e455 = phi_655_;
-                                        phi_656_ = _e455;
+                                        let _e456 = phi_659_;
+                                        phi_660_ = _e456;
                                     }
-                                    let _e457 = phi_656_;
-                                    phi_657_ = _e457;
+                                    let _e458 = phi_660_;
+                                    phi_661_ = _e458;
                                 }
-                                let _e459 = phi_657_;
-                                phi_661_ = _e459;
+                                let _e460 = phi_661_;
+                                phi_665_ = _e460;
                             } else {
-                                phi_661_ = bitcast<f32>((bitcast<u32>(_e405.x) | 2143289344u));
+                                phi_665_ = bitcast<f32>((bitcast<u32>(_e406.x) | 2143289344u));
                             }
-                            let _e464 = phi_661_;
-                            phi_662_ = _e464;
+                            let _e465 = phi_665_;
+                            phi_666_ = _e465;
                         }
-                        let _e466 = phi_662_;
-                        phi_663_ = _e466;
+                        let _e467 = phi_666_;
+                        phi_667_ = _e467;
                     }
-                    let _e468 = phi_663_;
-                    phi_664_ = _e468;
+                    let _e469 = phi_667_;
+                    phi_668_ = _e469;
                 } else {
-                    phi_664_ = _e348;
+                    phi_668_ = _e349;
                 }
-                let _e470 = phi_664_;
-                phi_665_ = _e470;
-                phi_666_ = false;
+                let _e471 = phi_668_;
+                phi_669_ = _e471;
+                phi_670_ = false;
             } else {
-                phi_665_ = f32();
-                phi_666_ = true;
+                phi_669_ = f32();
+                phi_670_ = true;
             }
-            let _e472 = phi_665_;
-            let _e474 = phi_666_;
-            phi_667_ = _e472;
-            phi_668_ = _e474;
+            let _e473 = phi_669_;
+            let _e475 = phi_670_;
+            phi_671_ = _e473;
+            phi_672_ = _e475;
         } else {
-            phi_667_ = f32();
-            phi_668_ = true;
+            phi_671_ = f32();
+            phi_672_ = true;
         }
-        let _e476 = phi_667_;
-        let _e478 = phi_668_;
-        if _e478 {
-            if ((bitcast<u32>(_e310.x) & 2147483647u) > 2139095040u) {
-                phi_875_ = _e310.x;
+        let _e477 = phi_671_;
+        let _e479 = phi_672_;
+        if _e479 {
+            if ((bitcast<u32>(_e311.x) & 2147483647u) > 2139095040u) {
+                phi_879_ = _e311.x;
             } else {
-                let _e482 = lt_math_hausdorff_endpoint_upper_bound((&local), _e86);
-                let _e485 = local.moments[0u];
-                let _e488 = local.moments[3u];
-                if (_e485 == _e488) {
-                    let _e492 = local.moments[0u];
-                    phi_690_ = (_e492 > 0.5f);
+                let _e483 = lt_math_hausdorff_endpoint_upper_bound((&local), _e87);
+                let _e486 = local.moments[0u];
+                let _e489 = local.moments[3u];
+                if (_e486 == _e489) {
+                    let _e493 = local.moments[0u];
+                    phi_694_ = (_e493 > 0.5f);
                 } else {
-                    phi_690_ = false;
+                    phi_694_ = false;
                 }
-                let _e495 = phi_690_;
-                if _e495 {
-                    if (_e86 > 0f) {
-                        let _e498 = local.moments;
-                        if ((bitcast<u32>(_e498.x) & 2147483647u) > 2139095040u) {
-                            phi_717_ = _e498.x;
+                let _e496 = phi_694_;
+                if _e496 {
+                    if (_e87 > 0f) {
+                        let _e499 = local.moments;
+                        if ((bitcast<u32>(_e499.x) & 2147483647u) > 2139095040u) {
+                            phi_721_ = _e499.x;
                         } else {
-                            if (_e498.x < 0f) {
-                                phi_716_ = 0f;
+                            if (_e499.x < 0f) {
+                                phi_720_ = 0f;
                             } else {
-                                if (_e498.x > 1f) {
-                                    phi_715_ = 1f;
+                                if (_e499.x > 1f) {
+                                    phi_719_ = 1f;
                                 } else {
-                                    phi_715_ = _e498.x;
+                                    phi_719_ = _e499.x;
                                 }
-                                let _e506 = phi_715_;
-                                phi_716_ = _e506;
+                                let _e507 = phi_719_;
+                                phi_720_ = _e507;
                             }
-                            let _e508 = phi_716_;
-                            phi_717_ = _e508;
+                            let _e509 = phi_720_;
+                            phi_721_ = _e509;
                         }
-                        let _e510 = phi_717_;
-                        phi_718_ = _e510;
-                        phi_719_ = false;
+                        let _e511 = phi_721_;
+                        phi_722_ = _e511;
+                        phi_723_ = false;
                     } else {
-                        phi_718_ = f32();
-                        phi_719_ = true;
+                        phi_722_ = f32();
+                        phi_723_ = true;
                     }
-                    let _e512 = phi_718_;
-                    let _e514 = phi_719_;
-                    phi_720_ = _e512;
-                    phi_721_ = _e514;
+                    let _e513 = phi_722_;
+                    let _e515 = phi_723_;
+                    phi_724_ = _e513;
+                    phi_725_ = _e515;
                 } else {
-                    phi_720_ = f32();
-                    phi_721_ = true;
+                    phi_724_ = f32();
+                    phi_725_ = true;
                 }
-                let _e516 = phi_720_;
-                let _e518 = phi_721_;
-                if _e518 {
-                    let _e521 = local.moments[0u];
-                    let _e524 = local.moments[1u];
-                    let _e532 = local.l32_d22_;
-                    let _e534 = local.d22_;
-                    let _e535 = (_e532 / _e534);
-                    let _e536 = (_e86 - _e521);
-                    let _e542 = local.d22_;
-                    let _e545 = local.d33_d22_;
-                    let _e546 = (((((_e86 * _e86) - _e524) - (_e535 * _e536)) * _e542) / _e545);
-                    let _e548 = local.d22_;
-                    let _e551 = ((_e536 / _e548) - (_e535 * _e546));
-                    let _e557 = ((0.5f * _e551) / _e546);
-                    let _e560 = ((_e557 * _e557) - (((1f - (_e551 * _e521)) - (_e546 * _e524)) / _e546));
-                    if (_e560 >= 0f) {
-                        let _e562 = sqrt(_e560);
-                        phi_777_ = vec2<f32>((-(_e557) - _e562), (-(_e557) + _e562));
+                let _e517 = phi_724_;
+                let _e519 = phi_725_;
+                if _e519 {
+                    let _e522 = local.moments[0u];
+                    let _e525 = local.moments[1u];
+                    let _e533 = local.l32_d22_;
+                    let _e535 = local.d22_;
+                    let _e536 = (_e533 / _e535);
+                    let _e537 = (_e87 - _e522);
+                    let _e543 = local.d22_;
+                    let _e546 = local.d33_d22_;
+                    let _e547 = (((((_e87 * _e87) - _e525) - (_e536 * _e537)) * _e543) / _e546);
+                    let _e549 = local.d22_;
+                    let _e552 = ((_e537 / _e549) - (_e536 * _e547));
+                    let _e558 = ((0.5f * _e552) / _e547);
+                    let _e561 = ((_e558 * _e558) - (((1f - (_e552 * _e522)) - (_e547 * _e525)) / _e547));
+                    if (_e561 >= 0f) {
+                        let _e563 = sqrt(_e561);
+                        phi_781_ = vec2<f32>((-(_e558) - _e563), (-(_e558) + _e563));
                     } else {
-                        phi_777_ = vec2(bitcast<f32>((bitcast<u32>(_e560) | 2143289344u)));
+                        phi_781_ = vec2(bitcast<f32>((bitcast<u32>(_e561) | 2143289344u)));
                     }
-                    let _e573 = phi_777_;
-                    if (_e86 <= _e573.x) {
-                        phi_858_ = 1f;
+                    let _e574 = phi_781_;
+                    if (_e87 <= _e574.x) {
+                        phi_862_ = 1f;
                     } else {
-                        if (_e86 > _e573.y) {
-                            let _e579 = local.moments;
-                            let _e590 = (((_e579.y - (_e579.x * (_e573.x + _e573.y))) + (_e573.x * _e573.y)) / ((_e86 - _e573.x) * (_e86 - _e573.y)));
-                            if ((bitcast<u32>(_e590) & 2147483647u) > 2139095040u) {
-                                phi_817_ = _e590;
+                        if (_e87 > _e574.y) {
+                            let _e580 = local.moments;
+                            let _e591 = (((_e580.y - (_e580.x * (_e574.x + _e574.y))) + (_e574.x * _e574.y)) / ((_e87 - _e574.x) * (_e87 - _e574.y)));
+                            if ((bitcast<u32>(_e591) & 2147483647u) > 2139095040u) {
+                                phi_821_ = _e591;
                             } else {
-                                if (_e590 < 0f) {
-                                    phi_816_ = 0f;
+                                if (_e591 < 0f) {
+                                    phi_820_ = 0f;
                                 } else {
-                                    if (_e590 > 1f) {
-                                        phi_815_ = 1f;
+                                    if (_e591 > 1f) {
+                                        phi_819_ = 1f;
                                     } else {
-                                        phi_815_ = _e590;
+                                        phi_819_ = _e591;
                                     }
-                                    let _e597 = phi_815_;
-                                    phi_816_ = _e597;
+                                    let _e598 = phi_819_;
+                                    phi_820_ = _e598;
                                 }
-                                let _e599 = phi_816_;
-                                phi_817_ = _e599;
+                                let _e600 = phi_820_;
+                                phi_821_ = _e600;
                             }
-                            let _e601 = phi_817_;
-                            phi_857_ = _e601;
+                            let _e602 = phi_821_;
+                            phi_861_ = _e602;
                         } else {
-                            if (_e86 > _e573.x) {
-                                let _e604 = local.moments;
-                                let _e616 = (1f - (((_e604.y - (_e604.x * (_e86 + _e573.y))) + (_e86 * _e573.y)) / ((_e573.x - _e86) * (_e573.x - _e573.y))));
-                                if ((bitcast<u32>(_e616) & 2147483647u) > 2139095040u) {
-                                    phi_852_ = _e616;
+                            if (_e87 > _e574.x) {
+                                let _e605 = local.moments;
+                                let _e617 = (1f - (((_e605.y - (_e605.x * (_e87 + _e574.y))) + (_e87 * _e574.y)) / ((_e574.x - _e87) * (_e574.x - _e574.y))));
+                                if ((bitcast<u32>(_e617) & 2147483647u) > 2139095040u) {
+                                    phi_856_ = _e617;
                                 } else {
-                                    if (_e616 < 0f) {
-                                        phi_851_ = 0f;
+                                    if (_e617 < 0f) {
+                                        phi_855_ = 0f;
                                     } else {
-                                        if (_e616 > 1f) {
-                                            phi_850_ = 1f;
+                                        if (_e617 > 1f) {
+                                            phi_854_ = 1f;
                                         } else {
-                                            phi_850_ = _e616;
+                                            phi_854_ = _e617;
                                         }
-                                        let _e623 = phi_850_;
-                                        phi_851_ = _e623;
+                                        let _e624 = phi_854_;
+                                        phi_855_ = _e624;
                                     }
-                                    let _e625 = phi_851_;
-                                    phi_852_ = _e625;
+                                    let _e626 = phi_855_;
+                                    phi_856_ = _e626;
                                 }
-                                let _e627 = phi_852_;
-                                phi_856_ = _e627;
+                                let _e628 = phi_856_;
+                                phi_860_ = _e628;
                             } else {
-                                phi_856_ = bitcast<f32>((bitcast<u32>(_e573.x) | 2143289344u));
+                                phi_860_ = bitcast<f32>((bitcast<u32>(_e574.x) | 2143289344u));
                             }
-                            let _e632 = phi_856_;
-                            phi_857_ = _e632;
+                            let _e633 = phi_860_;
+                            phi_861_ = _e633;
                         }
-                        let _e634 = phi_857_;
-                        phi_858_ = _e634;
+                        let _e635 = phi_861_;
+                        phi_862_ = _e635;
                     }
-                    let _e636 = phi_858_;
-                    phi_859_ = _e636;
+                    let _e637 = phi_862_;
+                    phi_863_ = _e637;
                 } else {
-                    phi_859_ = _e516;
+                    phi_863_ = _e517;
                 }
-                let _e638 = phi_859_;
-                if ((bitcast<u32>(_e638) & 2147483647u) > 2139095040u) {
-                    phi_870_ = true;
+                let _e639 = phi_863_;
+                if ((bitcast<u32>(_e639) & 2147483647u) > 2139095040u) {
+                    phi_874_ = true;
                 } else {
-                    let _e642 = (_e638 < _e482);
-                    if _e642 {
+                    let _e643 = (_e639 < _e483);
+                    if _e643 {
                     }
-                    phi_870_ = _e642;
+                    phi_874_ = _e643;
                 }
-                let _e644 = phi_870_;
-                if _e644 {
-                    phi_874_ = _e638;
+                let _e645 = phi_874_;
+                if _e645 {
+                    phi_878_ = _e639;
                 } else {
-                    phi_874_ = _e482;
+                    phi_878_ = _e483;
                 }
-                let _e646 = phi_874_;
-                phi_875_ = _e646;
+                let _e647 = phi_878_;
+                phi_879_ = _e647;
             }
-            let _e648 = phi_875_;
-            phi_876_ = _e648;
+            let _e649 = phi_879_;
+            phi_880_ = _e649;
         } else {
-            phi_876_ = _e476;
+            phi_880_ = _e477;
         }
-        let _e650 = phi_876_;
-        phi_877_ = _e650;
+        let _e651 = phi_880_;
+        phi_881_ = _e651;
     }
-    let _e652 = phi_877_;
-    return _e652;
+    let _e653 = phi_881_;
+    return _e653;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_1104_: bool;
-    var phi_1105_: bool;
-    var phi_1106_: bool;
     var phi_1107_: bool;
-    var phi_1111_: bool;
-    var phi_1155_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1159_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1179_: lt_math_LightPoint;
-    var phi_1182_: u32;
-    var phi_1184_: lt_math_LevelPoint;
-    var phi_1270_: bool;
-    var phi_1279_: bool;
-    var phi_1288_: bool;
-    var phi_1289_: bool;
-    var phi_1290_: bool;
-    var phi_1291_: bool;
-    var phi_1292_: bool;
-    var phi_1293_: bool;
-    var phi_1294_: bool;
-    var phi_1298_: bool;
-    var phi_1325_: bool;
-    var phi_1326_: bool;
-    var phi_1327_: bool;
-    var phi_1328_: bool;
-    var phi_1329_: bool;
+    var phi_1108_: bool;
+    var phi_1109_: bool;
+    var phi_1110_: bool;
+    var phi_1114_: bool;
+    var phi_1184_: bool;
+    var phi_1185_: bool;
+    var phi_1196_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1197_: bool;
+    var phi_1198_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1199_: bool;
+    var phi_1206_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1210_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1230_: lt_math_LightPoint;
+    var phi_1233_: u32;
+    var phi_1235_: lt_math_LevelPoint;
+    var phi_1321_: bool;
     var phi_1330_: bool;
-    var phi_1331_: bool;
-    var phi_1332_: bool;
-    var phi_1336_: bool;
-    var phi_1345_: lt_math_LightPoint;
-    var phi_1346_: u32;
-    var phi_1347_: lt_math_LevelPoint;
-    var phi_1348_: bool;
-    var phi_1180_: lt_math_LightPoint;
-    var phi_1183_: u32;
-    var phi_1185_: lt_math_LevelPoint;
+    var phi_1339_: bool;
+    var phi_1340_: bool;
+    var phi_1341_: bool;
+    var phi_1342_: bool;
+    var phi_1343_: bool;
+    var phi_1344_: bool;
+    var phi_1345_: bool;
     var phi_1349_: bool;
+    var phi_1376_: bool;
+    var phi_1377_: bool;
+    var phi_1378_: bool;
+    var phi_1379_: bool;
+    var phi_1380_: bool;
+    var phi_1381_: bool;
+    var phi_1382_: bool;
+    var phi_1383_: bool;
+    var phi_1387_: bool;
+    var phi_1396_: lt_math_LightPoint;
+    var phi_1397_: u32;
+    var phi_1398_: lt_math_LevelPoint;
+    var phi_1399_: bool;
+    var phi_1231_: lt_math_LightPoint;
+    var phi_1234_: u32;
+    var phi_1236_: lt_math_LevelPoint;
+    var phi_1400_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_1389_: bool;
-    var phi_1390_: bool;
-    var phi_1391_: bool;
-    var phi_1392_: bool;
-    var phi_1396_: bool;
-    var phi_1478_: f32;
-    var phi_1594_: f32;
-    var phi_1595_: f32;
-    var phi_1598_: f32;
-    var phi_1627_: f32;
-    var phi_1632_: f32;
-    var phi_1633_: bool;
-    var phi_1634_: f32;
-    var phi_1635_: bool;
-    var phi_1639_: f32;
-    var phi_1659_: f32;
-    var phi_1664_: f32;
-    var phi_1665_: bool;
-    var phi_1666_: f32;
-    var phi_1667_: bool;
-    var phi_1671_: f32;
+    var phi_1440_: bool;
+    var phi_1441_: bool;
+    var phi_1442_: bool;
+    var phi_1443_: bool;
+    var phi_1447_: bool;
+    var phi_1529_: f32;
+    var phi_1647_: f32;
+    var phi_1648_: f32;
+    var phi_1651_: f32;
+    var phi_1680_: f32;
+    var phi_1685_: f32;
+    var phi_1686_: bool;
+    var phi_1687_: f32;
+    var phi_1688_: bool;
+    var phi_1692_: f32;
+    var phi_1712_: f32;
+    var phi_1717_: f32;
+    var phi_1718_: bool;
+    var phi_1719_: f32;
+    var phi_1720_: bool;
+    var phi_1724_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1720_: i32;
-    var phi_1725_: i32;
-    var phi_1730_: i32;
-    var phi_1735_: i32;
-    var phi_1744_: i32;
-    var phi_1749_: i32;
-    var phi_1754_: i32;
-    var phi_1759_: i32;
-    var phi_1854_: bool;
-    var phi_1862_: bool;
-    var phi_1874_: bool;
-    var phi_1875_: bool;
-    var phi_1879_: f32;
-    var phi_1885_: f32;
-    var phi_1887_: evaluate_Verdict;
-    var phi_1892_: evaluate_Verdict;
-    var phi_1893_: evaluate_Verdict;
+    var phi_1773_: i32;
+    var phi_1778_: i32;
+    var phi_1783_: i32;
+    var phi_1788_: i32;
+    var phi_1797_: i32;
+    var phi_1802_: i32;
+    var phi_1807_: i32;
+    var phi_1812_: i32;
+    var phi_1907_: bool;
+    var phi_1915_: bool;
+    var phi_1927_: bool;
+    var phi_1928_: bool;
+    var phi_1932_: f32;
+    var phi_1938_: f32;
+    var phi_1940_: evaluate_Verdict;
+    var phi_1945_: evaluate_Verdict;
+    var phi_1946_: evaluate_Verdict;
 
-    let _e42 = id_1;
-    let _e49 = arrayLength((&map.member));
-    let _e55 = arrayLength((&levels.member));
-    let _e58 = p.member.size[0u];
-    let _e60 = p.member.size[1u];
-    let _e61 = lt_shaders_entry_pixel_index(_e42, _e58, _e60);
-    if (bitcast<i32>(_e61.root) != 0i) {
-        let _e67 = p.member.level_count;
-        if (_e61.first_primitive < arrayLength((&samples.member))) {
+    let _e43 = id_1;
+    let _e50 = arrayLength((&map.member));
+    let _e56 = arrayLength((&levels.member));
+    let _e59 = p.member.size[0u];
+    let _e61 = p.member.size[1u];
+    let _e62 = lt_shaders_entry_pixel_index(_e43, _e59, _e61);
+    if (bitcast<i32>(_e62.root) != 0i) {
+        let _e68 = p.member.level_count;
+        if (_e62.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e72 = p.member.light;
-        let _e75 = samples.member[(0u + _e61.first_primitive)].normal[0u];
+        let _e75 = samples.member[(0u + _e62.first_primitive)].normal[0u];
         let _e77 = global[0u];
         if (_e75 == _e77) {
-            let _e80 = samples.member[(0u + _e61.first_primitive)].normal[1u];
+            let _e80 = samples.member[(0u + _e62.first_primitive)].normal[1u];
             let _e82 = global[1u];
             if (_e80 == _e82) {
-                let _e85 = samples.member[(0u + _e61.first_primitive)].normal[2u];
+                let _e85 = samples.member[(0u + _e62.first_primitive)].normal[2u];
                 let _e87 = global[2u];
-                phi_1104_ = (_e85 == _e87);
-                phi_1105_ = false;
+                phi_1107_ = (_e85 == _e87);
+                phi_1108_ = false;
             } else {
-                phi_1104_ = bool();
-                phi_1105_ = true;
+                phi_1107_ = bool();
+                phi_1108_ = true;
             }
-            let _e90 = phi_1104_;
-            let _e92 = phi_1105_;
-            phi_1106_ = _e90;
-            phi_1107_ = _e92;
+            let _e90 = phi_1107_;
+            let _e92 = phi_1108_;
+            phi_1109_ = _e90;
+            phi_1110_ = _e92;
         } else {
-            phi_1106_ = bool();
-            phi_1107_ = true;
+            phi_1109_ = bool();
+            phi_1110_ = true;
         }
-        let _e94 = phi_1106_;
-        let _e96 = phi_1107_;
+        let _e94 = phi_1109_;
+        let _e96 = phi_1110_;
         if _e96 {
-            phi_1111_ = false;
+            phi_1114_ = false;
         } else {
-            phi_1111_ = _e94;
+            phi_1114_ = _e94;
         }
-        let _e98 = phi_1111_;
+        let _e98 = phi_1114_;
         if !(_e98) {
-            let _e101 = samples.member[(0u + _e61.first_primitive)].normal;
-            let _e103 = samples.member[(0u + _e61.first_primitive)].position;
-            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
-                let _e127 = samples.member[(0u + _e61.first_primitive)].flags;
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_1155_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
-            } else {
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_1155_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
-            }
-            let _e161 = phi_1155_;
-            phi_1159_ = _e161;
-        } else {
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_1159_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
-        }
-        let _e178 = phi_1159_;
-        if _e178.unnamed_1 {
-            phi_1893_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
-        } else {
-            let _e186 = samples.member[(0u + _e61.first_primitive)].position;
-            let _e188 = p.member.map_size;
-            let _e190 = (0.5f / f32(_e188));
-            let _e197 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e204 = lt_math_LightPoint(vec2<f32>(_e197.uv.x, 0f), _e197.depth, _e197.is_inside);
-            let _e208 = lt_math_LightPoint(_e204.uv, 0f, _e204.is_inside);
-            phi_1179_ = lt_math_LightPoint();
-            phi_1182_ = 0u;
-            phi_1184_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e208.uv, _e208.depth, false));
-            loop {
-                let _e215 = phi_1179_;
-                let _e217 = phi_1182_;
-                let _e219 = phi_1184_;
-                local_2 = _e219;
-                local_3 = _e219;
-                local_4 = _e219;
-                if (_e217 < _e67) {
-                    if _e219.point.is_inside {
-                        phi_1345_ = lt_math_LightPoint();
-                        phi_1346_ = u32();
-                        phi_1347_ = lt_math_LevelPoint();
-                        phi_1348_ = false;
+            let _e101 = samples.member[(0u + _e62.first_primitive)].position;
+            let _e103 = p.member.light.place;
+            let _e109 = p.member.light.place[3u];
+            let _e116 = (_e103.x - (_e101.x * _e109));
+            let _e117 = (_e103.y - (_e101.y * _e109));
+            let _e118 = (_e103.z - (_e101.z * _e109));
+            let _e120 = samples.member[(0u + _e62.first_primitive)].normal;
+            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
+                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
+                let _e136 = p.member.light.axis;
+                let _e148 = p.member.light.place[3u];
+                if (_e148 == 0f) {
+                    phi_1185_ = true;
+                } else {
+                    let _e151 = p.member.light.range_squared;
+                    if (_e134 <= _e151) {
+                        let _e154 = p.member.light.cos_outer;
+                        phi_1184_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
                     } else {
-                        if (_e217 < _e55) {
+                        phi_1184_ = false;
+                    }
+                    let _e159 = phi_1184_;
+                    phi_1185_ = _e159;
+                }
+                let _e161 = phi_1185_;
+                if _e161 {
+                    let _e163 = samples.member[(0u + _e62.first_primitive)].flags;
+                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
+                    phi_1196_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
+                    phi_1197_ = false;
+                } else {
+                    phi_1196_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_1197_ = true;
+                }
+                let _e182 = phi_1196_;
+                let _e184 = phi_1197_;
+                phi_1198_ = _e182;
+                phi_1199_ = _e184;
+            } else {
+                phi_1198_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_1199_ = true;
+            }
+            let _e186 = phi_1198_;
+            let _e188 = phi_1199_;
+            if _e188 {
+                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
+                phi_1206_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
+            } else {
+                phi_1206_ = _e186;
+            }
+            let _e205 = phi_1206_;
+            phi_1210_ = _e205;
+        } else {
+            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
+            phi_1210_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+        }
+        let _e222 = phi_1210_;
+        if _e222.unnamed_1 {
+            phi_1946_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
+        } else {
+            let _e230 = samples.member[(0u + _e62.first_primitive)].position;
+            let _e232 = p.member.map_size;
+            let _e234 = (0.5f / f32(_e232));
+            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
+            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
+            phi_1230_ = lt_math_LightPoint();
+            phi_1233_ = 0u;
+            phi_1235_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
+            loop {
+                let _e259 = phi_1230_;
+                let _e261 = phi_1233_;
+                let _e263 = phi_1235_;
+                local_2 = _e263;
+                local_3 = _e263;
+                local_4 = _e263;
+                if (_e261 < _e68) {
+                    if _e263.point.is_inside {
+                        phi_1396_ = lt_math_LightPoint();
+                        phi_1397_ = u32();
+                        phi_1398_ = lt_math_LevelPoint();
+                        phi_1399_ = false;
+                    } else {
+                        if (_e261 < _e56) {
                         } else {
                             return;
                         }
-                        let _e230 = levels.member[(0u + _e217)].row_w;
-                        let _e241 = ((((_e230.x * _e186.x) + (_e230.y * _e186.y)) + (_e230.z * _e186.z)) + (_e230.w * 1f));
-                        let _e243 = levels.member[(0u + _e217)].row_x;
-                        let _e255 = (((((_e243.x * _e186.x) + (_e243.y * _e186.y)) + (_e243.z * _e186.z)) + (_e243.w * 1f)) / _e241);
-                        let _e257 = levels.member[(0u + _e217)].row_y;
-                        let _e269 = (((((_e257.x * _e186.x) + (_e257.y * _e186.y)) + (_e257.z * _e186.z)) + (_e257.w * 1f)) / _e241);
-                        let _e271 = levels.member[(0u + _e217)].row_z;
-                        let _e282 = ((((_e271.x * _e186.x) + (_e271.y * _e186.y)) + (_e271.z * _e186.z)) + (_e271.w * 1f));
-                        if (_e241 > 0f) {
-                            if (_e255 >= 0f) {
-                                phi_1270_ = (_e255 <= 1f);
+                        let _e274 = levels.member[(0u + _e261)].row_w;
+                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
+                        let _e287 = levels.member[(0u + _e261)].row_x;
+                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
+                        let _e301 = levels.member[(0u + _e261)].row_y;
+                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
+                        let _e315 = levels.member[(0u + _e261)].row_z;
+                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
+                        if (_e285 > 0f) {
+                            if (_e299 >= 0f) {
+                                phi_1321_ = (_e299 <= 1f);
                             } else {
-                                phi_1270_ = false;
+                                phi_1321_ = false;
                             }
-                            let _e287 = phi_1270_;
-                            if _e287 {
-                                if (_e269 >= 0f) {
-                                    phi_1279_ = (_e269 <= 1f);
+                            let _e331 = phi_1321_;
+                            if _e331 {
+                                if (_e313 >= 0f) {
+                                    phi_1330_ = (_e313 <= 1f);
                                 } else {
-                                    phi_1279_ = false;
+                                    phi_1330_ = false;
                                 }
-                                let _e291 = phi_1279_;
-                                if _e291 {
-                                    if (_e282 >= 0f) {
-                                        phi_1288_ = (_e282 <= 1f);
+                                let _e335 = phi_1330_;
+                                if _e335 {
+                                    if (_e326 >= 0f) {
+                                        phi_1339_ = (_e326 <= 1f);
                                     } else {
-                                        phi_1288_ = false;
+                                        phi_1339_ = false;
                                     }
-                                    let _e295 = phi_1288_;
-                                    phi_1289_ = _e295;
-                                    phi_1290_ = false;
+                                    let _e339 = phi_1339_;
+                                    phi_1340_ = _e339;
+                                    phi_1341_ = false;
                                 } else {
-                                    phi_1289_ = bool();
-                                    phi_1290_ = true;
+                                    phi_1340_ = bool();
+                                    phi_1341_ = true;
                                 }
-                                let _e297 = phi_1289_;
-                                let _e299 = phi_1290_;
-                                phi_1291_ = _e297;
-                                phi_1292_ = _e299;
+                                let _e341 = phi_1340_;
+                                let _e343 = phi_1341_;
+                                phi_1342_ = _e341;
+                                phi_1343_ = _e343;
                             } else {
-                                phi_1291_ = bool();
-                                phi_1292_ = true;
+                                phi_1342_ = bool();
+                                phi_1343_ = true;
                             }
-                            let _e301 = phi_1291_;
-                            let _e303 = phi_1292_;
-                            phi_1293_ = _e301;
-                            phi_1294_ = _e303;
+                            let _e345 = phi_1342_;
+                            let _e347 = phi_1343_;
+                            phi_1344_ = _e345;
+                            phi_1345_ = _e347;
                         } else {
-                            phi_1293_ = bool();
-                            phi_1294_ = true;
+                            phi_1344_ = bool();
+                            phi_1345_ = true;
                         }
-                        let _e305 = phi_1293_;
-                        let _e307 = phi_1294_;
-                        if _e307 {
-                            phi_1298_ = false;
+                        let _e349 = phi_1344_;
+                        let _e351 = phi_1345_;
+                        if _e351 {
+                            phi_1349_ = false;
                         } else {
-                            phi_1298_ = _e305;
+                            phi_1349_ = _e349;
                         }
-                        let _e309 = phi_1298_;
-                        if _e309 {
-                            if (_e255 >= _e190) {
-                                if (_e255 <= (1f - _e190)) {
-                                    if (_e269 >= _e190) {
-                                        phi_1325_ = (_e269 <= (1f - _e190));
-                                        phi_1326_ = false;
+                        let _e353 = phi_1349_;
+                        if _e353 {
+                            if (_e299 >= _e234) {
+                                if (_e299 <= (1f - _e234)) {
+                                    if (_e313 >= _e234) {
+                                        phi_1376_ = (_e313 <= (1f - _e234));
+                                        phi_1377_ = false;
                                     } else {
-                                        phi_1325_ = bool();
-                                        phi_1326_ = true;
+                                        phi_1376_ = bool();
+                                        phi_1377_ = true;
                                     }
-                                    let _e317 = phi_1325_;
-                                    let _e319 = phi_1326_;
-                                    phi_1327_ = _e317;
-                                    phi_1328_ = _e319;
+                                    let _e361 = phi_1376_;
+                                    let _e363 = phi_1377_;
+                                    phi_1378_ = _e361;
+                                    phi_1379_ = _e363;
                                 } else {
-                                    phi_1327_ = bool();
-                                    phi_1328_ = true;
+                                    phi_1378_ = bool();
+                                    phi_1379_ = true;
                                 }
-                                let _e321 = phi_1327_;
-                                let _e323 = phi_1328_;
-                                phi_1329_ = _e321;
-                                phi_1330_ = _e323;
+                                let _e365 = phi_1378_;
+                                let _e367 = phi_1379_;
+                                phi_1380_ = _e365;
+                                phi_1381_ = _e367;
                             } else {
-                                phi_1329_ = bool();
-                                phi_1330_ = true;
+                                phi_1380_ = bool();
+                                phi_1381_ = true;
                             }
-                            let _e325 = phi_1329_;
-                            let _e327 = phi_1330_;
-                            phi_1331_ = _e325;
-                            phi_1332_ = _e327;
+                            let _e369 = phi_1380_;
+                            let _e371 = phi_1381_;
+                            phi_1382_ = _e369;
+                            phi_1383_ = _e371;
                         } else {
-                            phi_1331_ = bool();
-                            phi_1332_ = true;
+                            phi_1382_ = bool();
+                            phi_1383_ = true;
                         }
-                        let _e329 = phi_1331_;
-                        let _e331 = phi_1332_;
-                        if _e331 {
-                            phi_1336_ = false;
+                        let _e373 = phi_1382_;
+                        let _e375 = phi_1383_;
+                        if _e375 {
+                            phi_1387_ = false;
                         } else {
-                            phi_1336_ = _e329;
+                            phi_1387_ = _e373;
                         }
-                        let _e333 = phi_1336_;
-                        let _e340 = lt_math_LightPoint(vec2<f32>(_e255, _e215.uv.y), _e215.depth, _e215.is_inside);
-                        let _e347 = lt_math_LightPoint(vec2<f32>(_e340.uv.x, _e269), _e340.depth, _e340.is_inside);
-                        let _e351 = lt_math_LightPoint(_e347.uv, _e282, _e347.is_inside);
-                        let _e355 = lt_math_LightPoint(_e351.uv, _e351.depth, _e333);
-                        phi_1345_ = _e355;
-                        phi_1346_ = (_e217 + 1u);
-                        phi_1347_ = lt_math_LevelPoint(_e217, _e355);
-                        phi_1348_ = true;
+                        let _e377 = phi_1387_;
+                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
+                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
+                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
+                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
+                        phi_1396_ = _e399;
+                        phi_1397_ = (_e261 + 1u);
+                        phi_1398_ = lt_math_LevelPoint(_e261, _e399);
+                        phi_1399_ = true;
                     }
-                    let _e359 = phi_1345_;
-                    let _e361 = phi_1346_;
-                    let _e363 = phi_1347_;
-                    let _e365 = phi_1348_;
-                    phi_1180_ = _e359;
-                    phi_1183_ = _e361;
-                    phi_1185_ = _e363;
-                    phi_1349_ = _e365;
+                    let _e403 = phi_1396_;
+                    let _e405 = phi_1397_;
+                    let _e407 = phi_1398_;
+                    let _e409 = phi_1399_;
+                    phi_1231_ = _e403;
+                    phi_1234_ = _e405;
+                    phi_1236_ = _e407;
+                    phi_1400_ = _e409;
                 } else {
-                    phi_1180_ = lt_math_LightPoint();
-                    phi_1183_ = u32();
-                    phi_1185_ = lt_math_LevelPoint();
-                    phi_1349_ = false;
+                    phi_1231_ = lt_math_LightPoint();
+                    phi_1234_ = u32();
+                    phi_1236_ = lt_math_LevelPoint();
+                    phi_1400_ = false;
                 }
-                let _e367 = phi_1180_;
-                let _e369 = phi_1183_;
-                let _e371 = phi_1185_;
-                let _e373 = phi_1349_;
+                let _e411 = phi_1231_;
+                let _e413 = phi_1234_;
+                let _e415 = phi_1236_;
+                let _e417 = phi_1400_;
                 continue;
                 continuing {
-                    phi_1179_ = _e367;
-                    phi_1182_ = _e369;
-                    phi_1184_ = _e371;
-                    break if !(_e373);
+                    phi_1230_ = _e411;
+                    phi_1233_ = _e413;
+                    phi_1235_ = _e415;
+                    break if !(_e417);
                 }
             }
-            let _e376 = local_2;
-            if _e376.point.is_inside {
+            let _e420 = local_2;
+            if _e420.point.is_inside {
                 if (0f > 0f) {
-                    let _e382 = local_3;
-                    if (_e382.level < _e55) {
+                    let _e426 = local_3;
+                    if (_e426.level < _e56) {
                     } else {
                         return;
                     }
-                    let _e387 = levels.member[(0u + _e382.level)];
-                    let _e393 = global[0u];
-                    if (_e387.row_w.x == _e393) {
-                        let _e396 = global[1u];
-                        if (_e387.row_w.y == _e396) {
-                            let _e399 = global[2u];
-                            phi_1389_ = (_e387.row_w.z == _e399);
-                            phi_1390_ = false;
+                    let _e431 = levels.member[(0u + _e426.level)];
+                    let _e437 = global[0u];
+                    if (_e431.row_w.x == _e437) {
+                        let _e440 = global[1u];
+                        if (_e431.row_w.y == _e440) {
+                            let _e443 = global[2u];
+                            phi_1440_ = (_e431.row_w.z == _e443);
+                            phi_1441_ = false;
                         } else {
-                            phi_1389_ = bool();
-                            phi_1390_ = true;
+                            phi_1440_ = bool();
+                            phi_1441_ = true;
                         }
-                        let _e402 = phi_1389_;
-                        let _e404 = phi_1390_;
-                        phi_1391_ = _e402;
-                        phi_1392_ = _e404;
+                        let _e446 = phi_1440_;
+                        let _e448 = phi_1441_;
+                        phi_1442_ = _e446;
+                        phi_1443_ = _e448;
                     } else {
-                        phi_1391_ = bool();
-                        phi_1392_ = true;
+                        phi_1442_ = bool();
+                        phi_1443_ = true;
                     }
-                    let _e406 = phi_1391_;
-                    let _e408 = phi_1392_;
-                    if _e408 {
-                        phi_1396_ = false;
+                    let _e450 = phi_1442_;
+                    let _e452 = phi_1443_;
+                    if _e452 {
+                        phi_1447_ = false;
                     } else {
-                        phi_1396_ = _e406;
+                        phi_1447_ = _e450;
                     }
-                    let _e410 = phi_1396_;
-                    if _e410 {
-                        let _e412 = samples.member[(0u + _e61.first_primitive)].normal;
-                        let _e414 = p.member.map_size;
-                        let _e484 = ((abs(((((_e387.row_x.x * _e412.x) + (_e387.row_x.y * _e412.y)) + (_e387.row_x.z * _e412.z)) / (((_e387.row_x.x * _e387.row_x.x) + (_e387.row_x.y * _e387.row_x.y)) + (_e387.row_x.z * _e387.row_x.z)))) + abs(((((_e387.row_y.x * _e412.x) + (_e387.row_y.y * _e412.y)) + (_e387.row_y.z * _e412.z)) / (((_e387.row_y.x * _e387.row_y.x) + (_e387.row_y.y * _e387.row_y.y)) + (_e387.row_y.z * _e387.row_y.z))))) / (abs(((((_e387.row_z.x * _e412.x) + (_e387.row_z.y * _e412.y)) + (_e387.row_z.z * _e412.z)) / (((_e387.row_z.x * _e387.row_z.x) + (_e387.row_z.y * _e387.row_z.y)) + (_e387.row_z.z * _e387.row_z.z)))) * f32(_e414)));
-                        if (_e484 < 0.002f) {
-                            phi_1478_ = _e484;
+                    let _e454 = phi_1447_;
+                    if _e454 {
+                        let _e456 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e458 = p.member.map_size;
+                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
+                        if (_e528 < 0.002f) {
+                            phi_1529_ = _e528;
                         } else {
-                            phi_1478_ = 0.002f;
+                            phi_1529_ = 0.002f;
                         }
-                        let _e487 = phi_1478_;
-                        phi_1595_ = _e487;
+                        let _e531 = phi_1529_;
+                        phi_1648_ = _e531;
                     } else {
-                        let _e489 = p.member.map_size;
-                        let _e495 = samples.member[(0u + _e61.first_primitive)].position;
-                        let _e506 = ((((_e387.row_w.x * _e495.x) + (_e387.row_w.y * _e495.y)) + (_e387.row_w.z * _e495.z)) + _e387.row_w.w);
-                        let _e519 = ((_e387.row_x.x - (_e387.row_w.x * _e376.point.uv.x)) / _e506);
-                        let _e520 = ((_e387.row_x.y - (_e387.row_w.y * _e376.point.uv.x)) / _e506);
-                        let _e521 = ((_e387.row_x.z - (_e387.row_w.z * _e376.point.uv.x)) / _e506);
-                        let _e534 = ((_e387.row_y.x - (_e387.row_w.x * _e376.point.uv.y)) / _e506);
-                        let _e535 = ((_e387.row_y.y - (_e387.row_w.y * _e376.point.uv.y)) / _e506);
-                        let _e536 = ((_e387.row_y.z - (_e387.row_w.z * _e376.point.uv.y)) / _e506);
-                        let _e542 = samples.member[(0u + _e61.first_primitive)].normal;
-                        let _e547 = ((_e535 * _e542.z) - (_e542.y * _e536));
-                        let _e552 = ((_e536 * _e542.x) - (_e542.z * _e534));
-                        let _e557 = ((_e534 * _e542.y) - (_e542.x * _e535));
-                        let _e559 = samples.member[(0u + _e61.first_primitive)].normal;
-                        let _e564 = ((_e520 * _e559.z) - (_e559.y * _e521));
-                        let _e569 = ((_e521 * _e559.x) - (_e559.z * _e519));
-                        let _e574 = ((_e519 * _e559.y) - (_e559.x * _e520));
-                        let _e601 = ((abs(((((_e387.row_z.x * _e547) + (_e387.row_z.y * _e552)) + (_e387.row_z.z * _e557)) / (((_e519 * _e547) + (_e520 * _e552)) + (_e521 * _e557)))) + abs(((((_e387.row_z.x * _e564) + (_e387.row_z.y * _e569)) + (_e387.row_z.z * _e574)) / (((_e534 * _e564) + (_e535 * _e569)) + (_e536 * _e574))))) / f32(_e489));
-                        if (_e601 < 0.002f) {
-                            phi_1594_ = _e601;
+                        let _e533 = p.member.map_size;
+                        let _e539 = samples.member[(0u + _e62.first_primitive)].position;
+                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
+                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
+                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
+                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
+                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
+                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
+                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
+                        let _e586 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
+                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
+                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
+                        let _e603 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
+                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
+                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
+                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
+                        let _e647 = (16f / f32(_e533));
+                        if (_e645 < _e647) {
+                            phi_1647_ = _e645;
                         } else {
-                            phi_1594_ = 0.002f;
+                            phi_1647_ = _e647;
                         }
-                        let _e604 = phi_1594_;
-                        phi_1595_ = _e604;
+                        let _e650 = phi_1647_;
+                        phi_1648_ = _e650;
                     }
-                    let _e606 = phi_1595_;
-                    phi_1598_ = (_e376.point.depth - (0f * _e606));
+                    let _e652 = phi_1648_;
+                    phi_1651_ = (_e420.point.depth - (0f * _e652));
                 } else {
-                    phi_1598_ = _e376.point.depth;
+                    phi_1651_ = _e420.point.depth;
                 }
-                let _e610 = phi_1598_;
-                let _e616 = p.member.map_size;
-                let _e617 = f32(_e616);
-                let _e620 = ((_e376.point.uv.x * _e617) - 0.5f);
-                let _e621 = ((_e376.point.uv.y * _e617) - 0.5f);
-                if (_e620 > -8388608f) {
-                    let _e633 = f32(select(0i, select(select(i32(_e620), i32(-2147483648), (_e620 < bitcast<f32>(3472883712u))), 2147483647i, (_e620 > bitcast<f32>(1325400063u))), (_e620 == _e620)));
-                    if (_e633 > _e620) {
-                        phi_1627_ = 1f;
+                let _e656 = phi_1651_;
+                let _e662 = p.member.map_size;
+                let _e663 = f32(_e662);
+                let _e666 = ((_e420.point.uv.x * _e663) - 0.5f);
+                let _e667 = ((_e420.point.uv.y * _e663) - 0.5f);
+                if (_e666 > -8388608f) {
+                    let _e679 = f32(select(0i, select(select(i32(_e666), i32(-2147483648), (_e666 < bitcast<f32>(3472883712u))), 2147483647i, (_e666 > bitcast<f32>(1325400063u))), (_e666 == _e666)));
+                    if (_e679 > _e666) {
+                        phi_1680_ = 1f;
                     } else {
-                        phi_1627_ = 0f;
+                        phi_1680_ = 0f;
                     }
-                    let _e636 = phi_1627_;
-                    if (_e620 < 8388608f) {
-                        phi_1632_ = (_e633 - _e636);
-                        phi_1633_ = false;
+                    let _e682 = phi_1680_;
+                    if (_e666 < 8388608f) {
+                        phi_1685_ = (_e679 - _e682);
+                        phi_1686_ = false;
                     } else {
-                        phi_1632_ = f32();
-                        phi_1633_ = true;
+                        phi_1685_ = f32();
+                        phi_1686_ = true;
                     }
-                    let _e639 = phi_1632_;
-                    let _e641 = phi_1633_;
-                    phi_1634_ = _e639;
-                    phi_1635_ = _e641;
+                    let _e685 = phi_1685_;
+                    let _e687 = phi_1686_;
+                    phi_1687_ = _e685;
+                    phi_1688_ = _e687;
                 } else {
-                    phi_1634_ = f32();
-                    phi_1635_ = true;
+                    phi_1687_ = f32();
+                    phi_1688_ = true;
                 }
-                let _e643 = phi_1634_;
-                let _e645 = phi_1635_;
-                if _e645 {
-                    phi_1639_ = _e620;
+                let _e689 = phi_1687_;
+                let _e691 = phi_1688_;
+                if _e691 {
+                    phi_1692_ = _e666;
                 } else {
-                    phi_1639_ = _e643;
+                    phi_1692_ = _e689;
                 }
-                let _e647 = phi_1639_;
-                if (_e621 > -8388608f) {
-                    let _e659 = f32(select(0i, select(select(i32(_e621), i32(-2147483648), (_e621 < bitcast<f32>(3472883712u))), 2147483647i, (_e621 > bitcast<f32>(1325400063u))), (_e621 == _e621)));
-                    if (_e659 > _e621) {
-                        phi_1659_ = 1f;
+                let _e693 = phi_1692_;
+                if (_e667 > -8388608f) {
+                    let _e705 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
+                    if (_e705 > _e667) {
+                        phi_1712_ = 1f;
                     } else {
-                        phi_1659_ = 0f;
+                        phi_1712_ = 0f;
                     }
-                    let _e662 = phi_1659_;
-                    if (_e621 < 8388608f) {
-                        phi_1664_ = (_e659 - _e662);
-                        phi_1665_ = false;
+                    let _e708 = phi_1712_;
+                    if (_e667 < 8388608f) {
+                        phi_1717_ = (_e705 - _e708);
+                        phi_1718_ = false;
                     } else {
-                        phi_1664_ = f32();
-                        phi_1665_ = true;
+                        phi_1717_ = f32();
+                        phi_1718_ = true;
                     }
-                    let _e665 = phi_1664_;
-                    let _e667 = phi_1665_;
-                    phi_1666_ = _e665;
-                    phi_1667_ = _e667;
+                    let _e711 = phi_1717_;
+                    let _e713 = phi_1718_;
+                    phi_1719_ = _e711;
+                    phi_1720_ = _e713;
                 } else {
-                    phi_1666_ = f32();
-                    phi_1667_ = true;
+                    phi_1719_ = f32();
+                    phi_1720_ = true;
                 }
-                let _e669 = phi_1666_;
-                let _e671 = phi_1667_;
-                if _e671 {
-                    phi_1671_ = _e621;
+                let _e715 = phi_1719_;
+                let _e717 = phi_1720_;
+                if _e717 {
+                    phi_1724_ = _e667;
                 } else {
-                    phi_1671_ = _e669;
+                    phi_1724_ = _e715;
                 }
-                let _e673 = phi_1671_;
-                let _e674 = (_e620 - _e647);
-                let _e675 = (_e621 - _e673);
-                let _e684 = select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < bitcast<f32>(3472883712u))), 2147483647i, (_e647 > bitcast<f32>(1325400063u))), (_e647 == _e647));
-                let _e693 = select(0i, select(select(i32(_e673), i32(-2147483648), (_e673 < bitcast<f32>(3472883712u))), 2147483647i, (_e673 > bitcast<f32>(1325400063u))), (_e673 == _e673));
-                let _e696 = ((1f - _e674) * (1f - _e675));
-                let _e698 = (_e674 * (1f - _e675));
-                let _e700 = ((1f - _e674) * _e675);
-                let _e701 = (_e674 * _e675);
-                let _e703 = p.member.test;
-                let _e704 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e703);
-                let _e706 = p.member.map_size;
-                let _e708 = local_4;
-                local_1 = _e704;
-                let _e711 = ((_e708.level * _e706) * _e706);
-                let _e713 = (bitcast<i32>(_e706) - 1i);
-                if (_e684 > 0i) {
-                    phi_1720_ = _e684;
+                let _e719 = phi_1724_;
+                let _e720 = (_e666 - _e693);
+                let _e721 = (_e667 - _e719);
+                let _e730 = select(0i, select(select(i32(_e693), i32(-2147483648), (_e693 < bitcast<f32>(3472883712u))), 2147483647i, (_e693 > bitcast<f32>(1325400063u))), (_e693 == _e693));
+                let _e739 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < bitcast<f32>(3472883712u))), 2147483647i, (_e719 > bitcast<f32>(1325400063u))), (_e719 == _e719));
+                let _e742 = ((1f - _e720) * (1f - _e721));
+                let _e744 = (_e720 * (1f - _e721));
+                let _e746 = ((1f - _e720) * _e721);
+                let _e747 = (_e720 * _e721);
+                let _e749 = p.member.test;
+                let _e750 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e749);
+                let _e752 = p.member.map_size;
+                let _e754 = local_4;
+                local_1 = _e750;
+                let _e757 = ((_e754.level * _e752) * _e752);
+                let _e759 = (bitcast<i32>(_e752) - 1i);
+                if (_e730 > 0i) {
+                    phi_1773_ = _e730;
                 } else {
-                    phi_1720_ = 0i;
+                    phi_1773_ = 0i;
                 }
-                let _e716 = phi_1720_;
-                if (_e693 > 0i) {
-                    phi_1725_ = _e693;
+                let _e762 = phi_1773_;
+                if (_e739 > 0i) {
+                    phi_1778_ = _e739;
                 } else {
-                    phi_1725_ = 0i;
+                    phi_1778_ = 0i;
                 }
-                let _e719 = phi_1725_;
-                if (_e716 < _e713) {
-                    phi_1730_ = _e716;
+                let _e765 = phi_1778_;
+                if (_e762 < _e759) {
+                    phi_1783_ = _e762;
                 } else {
-                    phi_1730_ = _e713;
+                    phi_1783_ = _e759;
                 }
-                let _e722 = phi_1730_;
-                if (_e719 < _e713) {
-                    phi_1735_ = _e719;
+                let _e768 = phi_1783_;
+                if (_e765 < _e759) {
+                    phi_1788_ = _e765;
                 } else {
-                    phi_1735_ = _e713;
+                    phi_1788_ = _e759;
                 }
-                let _e725 = phi_1735_;
-                let _e726 = bitcast<u32>(_e722);
-                let _e728 = (_e684 + 1i);
-                let _e729 = (_e693 + 1i);
-                if (_e728 > 0i) {
-                    phi_1744_ = _e728;
+                let _e771 = phi_1788_;
+                let _e772 = bitcast<u32>(_e768);
+                let _e774 = (_e730 + 1i);
+                let _e775 = (_e739 + 1i);
+                if (_e774 > 0i) {
+                    phi_1797_ = _e774;
                 } else {
-                    phi_1744_ = 0i;
+                    phi_1797_ = 0i;
                 }
-                let _e732 = phi_1744_;
-                if (_e729 > 0i) {
-                    phi_1749_ = _e729;
+                let _e778 = phi_1797_;
+                if (_e775 > 0i) {
+                    phi_1802_ = _e775;
                 } else {
-                    phi_1749_ = 0i;
+                    phi_1802_ = 0i;
                 }
-                let _e735 = phi_1749_;
-                if (_e732 < _e713) {
-                    phi_1754_ = _e732;
+                let _e781 = phi_1802_;
+                if (_e778 < _e759) {
+                    phi_1807_ = _e778;
                 } else {
-                    phi_1754_ = _e713;
+                    phi_1807_ = _e759;
                 }
-                let _e738 = phi_1754_;
-                if (_e735 < _e713) {
-                    phi_1759_ = _e735;
+                let _e784 = phi_1807_;
+                if (_e781 < _e759) {
+                    phi_1812_ = _e781;
                 } else {
-                    phi_1759_ = _e713;
+                    phi_1812_ = _e759;
                 }
-                let _e741 = phi_1759_;
-                let _e742 = bitcast<u32>(_e738);
-                let _e744 = (bitcast<u32>(_e725) * _e706);
-                let _e745 = (bitcast<u32>(_e741) * _e706);
-                let _e750 = ((_e744 + _e726) + _e711);
-                let _e751 = ((_e744 + _e742) + _e711);
-                let _e752 = ((_e745 + _e726) + _e711);
-                let _e753 = ((_e745 + _e742) + _e711);
-                if (_e750 < _e49) {
+                let _e787 = phi_1812_;
+                let _e788 = bitcast<u32>(_e784);
+                let _e790 = (bitcast<u32>(_e771) * _e752);
+                let _e791 = (bitcast<u32>(_e787) * _e752);
+                let _e796 = ((_e790 + _e772) + _e757);
+                let _e797 = ((_e790 + _e788) + _e757);
+                let _e798 = ((_e791 + _e772) + _e757);
+                let _e799 = ((_e791 + _e788) + _e757);
+                if (_e796 < _e50) {
                 } else {
                     return;
                 }
-                let _e757 = map.member[(0u + _e750)];
-                if (_e751 < _e49) {
+                let _e803 = map.member[(0u + _e796)];
+                if (_e797 < _e50) {
                 } else {
                     return;
                 }
-                let _e769 = map.member[(0u + _e751)];
-                if (_e752 < _e49) {
+                let _e815 = map.member[(0u + _e797)];
+                if (_e798 < _e50) {
                 } else {
                     return;
                 }
-                let _e785 = map.member[(0u + _e752)];
-                if (_e753 < _e49) {
+                let _e831 = map.member[(0u + _e798)];
+                if (_e799 < _e50) {
                 } else {
                     return;
                 }
-                let _e801 = map.member[(0u + _e753)];
-                let _e815 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e757.x * _e696) + (_e769.x * _e698)) + (_e785.x * _e700)) + (_e801.x * _e701)), ((((_e757.y * _e696) + (_e769.y * _e698)) + (_e785.y * _e700)) + (_e801.y * _e701)), ((((_e757.z * _e696) + (_e769.z * _e698)) + (_e785.z * _e700)) + (_e801.z * _e701)), ((((_e757.w * _e696) + (_e769.w * _e698)) + (_e785.w * _e700)) + (_e801.w * _e701))), _e610);
-                let _e817 = p.member.epsilon;
-                if (_e815 <= _e817) {
-                    phi_1854_ = true;
+                let _e847 = map.member[(0u + _e799)];
+                let _e861 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e803.x * _e742) + (_e815.x * _e744)) + (_e831.x * _e746)) + (_e847.x * _e747)), ((((_e803.y * _e742) + (_e815.y * _e744)) + (_e831.y * _e746)) + (_e847.y * _e747)), ((((_e803.z * _e742) + (_e815.z * _e744)) + (_e831.z * _e746)) + (_e847.z * _e747)), ((((_e803.w * _e742) + (_e815.w * _e744)) + (_e831.w * _e746)) + (_e847.w * _e747))), _e656);
+                let _e863 = p.member.epsilon;
+                if (_e861 <= _e863) {
+                    phi_1907_ = true;
                 } else {
-                    phi_1854_ = (_e815 >= (1f - _e817));
+                    phi_1907_ = (_e861 >= (1f - _e863));
                 }
-                let _e822 = phi_1854_;
-                if ((bitcast<u32>(_e815) & 2147483647u) > 2139095040u) {
-                    phi_1862_ = true;
+                let _e868 = phi_1907_;
+                if ((bitcast<u32>(_e861) & 2147483647u) > 2139095040u) {
+                    phi_1915_ = true;
                 } else {
-                    phi_1862_ = !(_e822);
+                    phi_1915_ = !(_e868);
                 }
-                let _e828 = phi_1862_;
-                if _e828 {
-                    if (_e815 > 0f) {
-                        if (_e815 < 1f) {
-                            phi_1874_ = false;
+                let _e874 = phi_1915_;
+                if _e874 {
+                    if (_e861 > 0f) {
+                        if (_e861 < 1f) {
+                            phi_1927_ = false;
                         } else {
-                            phi_1874_ = true;
+                            phi_1927_ = true;
                         }
-                        let _e832 = phi_1874_;
-                        phi_1875_ = _e832;
+                        let _e878 = phi_1927_;
+                        phi_1928_ = _e878;
                     } else {
-                        phi_1875_ = true;
+                        phi_1928_ = true;
                     }
-                    let _e834 = phi_1875_;
-                    if _e834 {
-                        phi_1879_ = 0.5f;
+                    let _e880 = phi_1928_;
+                    if _e880 {
+                        phi_1932_ = 0.5f;
                     } else {
-                        phi_1879_ = _e815;
+                        phi_1932_ = _e861;
                     }
-                    let _e836 = phi_1879_;
-                    phi_1887_ = evaluate_Verdict(_e836, true);
+                    let _e882 = phi_1932_;
+                    phi_1940_ = evaluate_Verdict(_e882, true);
                 } else {
-                    if (_e815 > 0.5f) {
-                        phi_1885_ = 1f;
+                    if (_e861 > 0.5f) {
+                        phi_1938_ = 1f;
                     } else {
-                        phi_1885_ = 0f;
+                        phi_1938_ = 0f;
                     }
-                    let _e840 = phi_1885_;
-                    phi_1887_ = evaluate_Verdict(_e840, false);
+                    let _e886 = phi_1938_;
+                    phi_1940_ = evaluate_Verdict(_e886, false);
                 }
-                let _e843 = phi_1887_;
-                phi_1892_ = evaluate_Verdict(_e843.visibility, _e843.is_doubted);
+                let _e889 = phi_1940_;
+                phi_1945_ = evaluate_Verdict(_e889.visibility, _e889.is_doubted);
             } else {
-                phi_1892_ = evaluate_Verdict(0.5f, true);
+                phi_1945_ = evaluate_Verdict(0.5f, true);
             }
-            let _e849 = phi_1892_;
-            phi_1893_ = _e849;
+            let _e895 = phi_1945_;
+            phi_1946_ = _e895;
         }
-        let _e851 = phi_1893_;
-        if (_e61.first_primitive < arrayLength((&visibility.member))) {
+        let _e897 = phi_1946_;
+        if (_e62.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e61.first_primitive)] = _e851.visibility;
+        visibility.member[(0u + _e62.first_primitive)] = _e897.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,18 +48,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_29 {
+struct type_31 {
     member: abi_ShadowParams,
 }
 
@@ -65,7 +74,7 @@ struct lt_bvh_slab_Span {
     far: f32,
 }
 
-struct type_35 {
+struct type_37 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -79,46 +88,46 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_29;
+var<uniform> p: type_31;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_35;
+var<storage> levels: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_144_: lt_bvh_traverse_Tree;
-    var phi_145_: bool;
-    var phi_146_: lt_bvh_traverse_Tree;
-    var phi_147_: bool;
-    var phi_152_: lt_bvh_traverse_Tree;
+    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_149_: bool;
+    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_151_: bool;
+    var phi_156_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_144_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_145_ = false;
+            phi_148_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_149_ = false;
         } else {
-            phi_144_ = lt_bvh_traverse_Tree();
-            phi_145_ = true;
+            phi_148_ = lt_bvh_traverse_Tree();
+            phi_149_ = true;
         }
-        let _e54 = phi_144_;
-        let _e56 = phi_145_;
-        phi_146_ = _e54;
-        phi_147_ = _e56;
+        let _e55 = phi_148_;
+        let _e57 = phi_149_;
+        phi_150_ = _e55;
+        phi_151_ = _e57;
     } else {
-        phi_146_ = lt_bvh_traverse_Tree();
-        phi_147_ = true;
+        phi_150_ = lt_bvh_traverse_Tree();
+        phi_151_ = true;
     }
-    let _e58 = phi_146_;
-    let _e60 = phi_147_;
-    if _e60 {
-        phi_152_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e59 = phi_150_;
+    let _e61 = phi_151_;
+    if _e61 {
+        phi_156_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_152_ = _e58;
+        phi_156_ = _e59;
     }
-    let _e65 = phi_152_;
-    return lt_bvh_traverse_Tree(_e65.root, _e65.first_primitive);
+    let _e66 = phi_156_;
+    return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -126,1085 +135,1131 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_179_: f32;
-    var phi_180_: f32;
-    var phi_181_: f32;
-    var phi_198_: f32;
-    var phi_199_: f32;
-    var phi_200_: f32;
-    var phi_216_: f32;
-    var phi_217_: f32;
-    var phi_218_: f32;
-    var phi_234_: f32;
-    var phi_235_: f32;
-    var phi_236_: f32;
-    var phi_252_: f32;
-    var phi_253_: f32;
-    var phi_254_: f32;
-    var phi_289_: bool;
-    var phi_290_: bool;
-    var phi_291_: bool;
-    var phi_292_: bool;
+    var phi_183_: f32;
+    var phi_184_: f32;
+    var phi_185_: f32;
+    var phi_202_: f32;
+    var phi_203_: f32;
+    var phi_204_: f32;
+    var phi_220_: f32;
+    var phi_221_: f32;
+    var phi_222_: f32;
+    var phi_238_: f32;
+    var phi_239_: f32;
+    var phi_240_: f32;
+    var phi_256_: f32;
+    var phi_257_: f32;
+    var phi_258_: f32;
     var phi_293_: bool;
     var phi_294_: bool;
+    var phi_295_: bool;
+    var phi_296_: bool;
+    var phi_297_: bool;
     var phi_298_: bool;
-    var phi_609_: f32;
-    var phi_610_: f32;
-    var phi_611_: f32;
-    var phi_628_: f32;
-    var phi_629_: f32;
-    var phi_630_: f32;
-    var phi_647_: f32;
-    var phi_648_: f32;
-    var phi_649_: f32;
-    var phi_666_: f32;
-    var phi_667_: f32;
-    var phi_668_: f32;
-    var phi_691_: f32;
-    var phi_692_: f32;
-    var phi_693_: f32;
-    var phi_704_: f32;
-    var phi_719_: f32;
-    var phi_721_: lt_bvh_slab_Span;
-    var phi_779_: f32;
-    var phi_780_: f32;
-    var phi_781_: f32;
-    var phi_782_: f32;
+    var phi_302_: bool;
+    var phi_613_: f32;
+    var phi_614_: f32;
+    var phi_615_: f32;
+    var phi_632_: f32;
+    var phi_633_: f32;
+    var phi_634_: f32;
+    var phi_651_: f32;
+    var phi_652_: f32;
+    var phi_653_: f32;
+    var phi_670_: f32;
+    var phi_671_: f32;
+    var phi_672_: f32;
+    var phi_695_: f32;
+    var phi_696_: f32;
+    var phi_697_: f32;
+    var phi_708_: f32;
+    var phi_723_: f32;
+    var phi_725_: lt_bvh_slab_Span;
     var phi_783_: f32;
-    var phi_784_: bool;
-    var phi_788_: f32;
-    var phi_803_: f32;
-    var phi_804_: f32;
-    var phi_805_: f32;
-    var phi_806_: f32;
+    var phi_784_: f32;
+    var phi_785_: f32;
+    var phi_786_: f32;
+    var phi_787_: f32;
+    var phi_788_: bool;
+    var phi_792_: f32;
     var phi_807_: f32;
     var phi_808_: f32;
     var phi_809_: f32;
-    var phi_810_: bool;
+    var phi_810_: f32;
     var phi_811_: f32;
     var phi_812_: f32;
-    var phi_813_: bool;
-    var phi_817_: f32;
+    var phi_813_: f32;
+    var phi_814_: bool;
+    var phi_815_: f32;
+    var phi_816_: f32;
+    var phi_817_: bool;
+    var phi_821_: f32;
 
-    let _e45 = (*param_4);
+    let _e46 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_181_ = param_7;
+        phi_185_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_180_ = 0f;
+            phi_184_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_179_ = 1f;
+                phi_183_ = 1f;
             } else {
-                phi_179_ = param_7;
+                phi_183_ = param_7;
             }
-            let _e52 = phi_179_;
-            phi_180_ = _e52;
+            let _e53 = phi_183_;
+            phi_184_ = _e53;
         }
-        let _e54 = phi_180_;
-        phi_181_ = _e54;
+        let _e55 = phi_184_;
+        phi_185_ = _e55;
     }
-    let _e56 = phi_181_;
-    let _e57 = (_e56 - 0.00000047683716f);
+    let _e57 = phi_185_;
+    let _e58 = (_e57 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_200_ = param_5.x;
+        phi_204_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_199_ = 0f;
+            phi_203_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_198_ = 1f;
+                phi_202_ = 1f;
             } else {
-                phi_198_ = param_5.x;
+                phi_202_ = param_5.x;
             }
-            let _e65 = phi_198_;
-            phi_199_ = _e65;
+            let _e66 = phi_202_;
+            phi_203_ = _e66;
         }
-        let _e67 = phi_199_;
-        phi_200_ = _e67;
+        let _e68 = phi_203_;
+        phi_204_ = _e68;
     }
-    let _e69 = phi_200_;
+    let _e70 = phi_204_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_218_ = param_5.y;
+        phi_222_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_217_ = 0f;
+            phi_221_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_216_ = 1f;
+                phi_220_ = 1f;
             } else {
-                phi_216_ = param_5.y;
+                phi_220_ = param_5.y;
             }
-            let _e77 = phi_216_;
-            phi_217_ = _e77;
+            let _e78 = phi_220_;
+            phi_221_ = _e78;
         }
-        let _e79 = phi_217_;
-        phi_218_ = _e79;
+        let _e80 = phi_221_;
+        phi_222_ = _e80;
     }
-    let _e81 = phi_218_;
+    let _e82 = phi_222_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_236_ = param_5.z;
+        phi_240_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_235_ = 0f;
+            phi_239_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_234_ = 1f;
+                phi_238_ = 1f;
             } else {
-                phi_234_ = param_5.z;
+                phi_238_ = param_5.z;
             }
-            let _e89 = phi_234_;
-            phi_235_ = _e89;
+            let _e90 = phi_238_;
+            phi_239_ = _e90;
         }
-        let _e91 = phi_235_;
-        phi_236_ = _e91;
+        let _e92 = phi_239_;
+        phi_240_ = _e92;
     }
-    let _e93 = phi_236_;
+    let _e94 = phi_240_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_254_ = param_5.w;
+        phi_258_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_253_ = 0f;
+            phi_257_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_252_ = 1f;
+                phi_256_ = 1f;
             } else {
-                phi_252_ = param_5.w;
+                phi_256_ = param_5.w;
             }
-            let _e101 = phi_252_;
-            phi_253_ = _e101;
+            let _e102 = phi_256_;
+            phi_257_ = _e102;
         }
-        let _e103 = phi_253_;
-        phi_254_ = _e103;
+        let _e104 = phi_257_;
+        phi_258_ = _e104;
     }
-    let _e105 = phi_254_;
-    let _e106 = (_e69 - _e57);
-    let _e107 = (_e81 - _e57);
-    let _e108 = (_e93 - _e57);
-    let _e109 = (_e105 - _e57);
-    let _e120 = ((((_e106 * param_6.x) + (_e107 * param_6.y)) + (_e108 * param_6.z)) + (_e109 * param_6.w));
-    if ((bitcast<u32>(_e120) & 2147483647u) > 2139095040u) {
-        phi_811_ = _e120;
-        phi_812_ = f32();
-        phi_813_ = true;
+    let _e106 = phi_258_;
+    let _e107 = (_e70 - _e58);
+    let _e108 = (_e82 - _e58);
+    let _e109 = (_e94 - _e58);
+    let _e110 = (_e106 - _e58);
+    let _e121 = ((((_e107 * param_6.x) + (_e108 * param_6.y)) + (_e109 * param_6.z)) + (_e110 * param_6.w));
+    if ((bitcast<u32>(_e121) & 2147483647u) > 2139095040u) {
+        phi_815_ = _e121;
+        phi_816_ = f32();
+        phi_817_ = true;
     } else {
-        if (_e106 >= 0f) {
-            if (_e107 >= 0f) {
-                if (_e108 >= 0f) {
-                    phi_289_ = (_e109 >= 0f);
-                    phi_290_ = false;
+        if (_e107 >= 0f) {
+            if (_e108 >= 0f) {
+                if (_e109 >= 0f) {
+                    phi_293_ = (_e110 >= 0f);
+                    phi_294_ = false;
                 } else {
-                    phi_289_ = bool();
-                    phi_290_ = true;
+                    phi_293_ = bool();
+                    phi_294_ = true;
                 }
-                let _e129 = phi_289_;
-                let _e131 = phi_290_;
-                phi_291_ = _e129;
-                phi_292_ = _e131;
+                let _e130 = phi_293_;
+                let _e132 = phi_294_;
+                phi_295_ = _e130;
+                phi_296_ = _e132;
             } else {
-                phi_291_ = bool();
-                phi_292_ = true;
+                phi_295_ = bool();
+                phi_296_ = true;
             }
-            let _e133 = phi_291_;
-            let _e135 = phi_292_;
-            phi_293_ = _e133;
-            phi_294_ = _e135;
+            let _e134 = phi_295_;
+            let _e136 = phi_296_;
+            phi_297_ = _e134;
+            phi_298_ = _e136;
         } else {
-            phi_293_ = bool();
-            phi_294_ = true;
+            phi_297_ = bool();
+            phi_298_ = true;
         }
-        let _e137 = phi_293_;
-        let _e139 = phi_294_;
-        if _e139 {
-            phi_298_ = false;
+        let _e138 = phi_297_;
+        let _e140 = phi_298_;
+        if _e140 {
+            phi_302_ = false;
         } else {
-            phi_298_ = _e137;
+            phi_302_ = _e138;
         }
-        let _e141 = phi_298_;
-        if _e141 {
-            phi_808_ = 1f;
-            phi_809_ = f32();
-            phi_810_ = true;
+        let _e142 = phi_302_;
+        if _e142 {
+            phi_812_ = 1f;
+            phi_813_ = f32();
+            phi_814_ = true;
         } else {
-            let _e142 = (0.5f * _e45);
-            let _e143 = (1f - _e45);
-            let _e145 = (param_6.x * _e143);
-            let _e147 = (param_6.y * _e143);
-            let _e149 = (param_6.z * _e143);
-            let _e151 = (param_6.w * _e143);
-            let _e152 = -(_e57);
-            let _e153 = (1f - _e57);
-            let _e155 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e69);
-            let _e157 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e81);
-            let _e159 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e93);
-            let _e161 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e105);
-            let _e162 = (_e106 - _e107);
+            let _e143 = (0.5f * _e46);
+            let _e144 = (1f - _e46);
+            let _e146 = (param_6.x * _e144);
+            let _e148 = (param_6.y * _e144);
+            let _e150 = (param_6.z * _e144);
+            let _e152 = (param_6.w * _e144);
+            let _e153 = -(_e58);
+            let _e154 = (1f - _e58);
+            let _e156 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e70);
+            let _e158 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e82);
+            let _e160 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e94);
+            let _e162 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e106);
             let _e163 = (_e107 - _e108);
             let _e164 = (_e108 - _e109);
-            let _e165 = (_e109 - _e106);
-            let _e166 = (_e162 * _e162);
+            let _e165 = (_e109 - _e110);
+            let _e166 = (_e110 - _e107);
             let _e167 = (_e163 * _e163);
             let _e168 = (_e164 * _e164);
             let _e169 = (_e165 * _e165);
-            let _e170 = (_e106 - _e108);
+            let _e170 = (_e166 * _e166);
             let _e171 = (_e107 - _e109);
-            let _e172 = (_e108 - _e106);
+            let _e172 = (_e108 - _e110);
             let _e173 = (_e109 - _e107);
-            let _e174 = (_e170 * _e170);
+            let _e174 = (_e110 - _e108);
             let _e175 = (_e171 * _e171);
             let _e176 = (_e172 * _e172);
             let _e177 = (_e173 * _e173);
-            let _e182 = ((_e145 * _e147) * _e166);
-            let _e183 = ((_e147 * _e149) * _e167);
-            let _e184 = ((_e149 * _e151) * _e168);
-            let _e185 = ((_e151 * _e145) * _e169);
-            let _e194 = (((0.5f * _e145) * _e149) * _e174);
-            let _e195 = (((0.5f * _e147) * _e151) * _e175);
-            let _e196 = (((0.5f * _e149) * _e145) * _e176);
-            let _e197 = (((0.5f * _e151) * _e147) * _e177);
-            let _e198 = (_e106 * _e107);
+            let _e178 = (_e174 * _e174);
+            let _e183 = ((_e146 * _e148) * _e167);
+            let _e184 = ((_e148 * _e150) * _e168);
+            let _e185 = ((_e150 * _e152) * _e169);
+            let _e186 = ((_e152 * _e146) * _e170);
+            let _e195 = (((0.5f * _e146) * _e150) * _e175);
+            let _e196 = (((0.5f * _e148) * _e152) * _e176);
+            let _e197 = (((0.5f * _e150) * _e146) * _e177);
+            let _e198 = (((0.5f * _e152) * _e148) * _e178);
             let _e199 = (_e107 * _e108);
             let _e200 = (_e108 * _e109);
-            let _e201 = (_e109 * _e106);
-            let _e202 = (_e106 * _e108);
+            let _e201 = (_e109 * _e110);
+            let _e202 = (_e110 * _e107);
             let _e203 = (_e107 * _e109);
-            let _e204 = (_e108 * _e106);
+            let _e204 = (_e108 * _e110);
             let _e205 = (_e109 * _e107);
-            let _e206 = (_e182 * _e198);
+            let _e206 = (_e110 * _e108);
             let _e207 = (_e183 * _e199);
             let _e208 = (_e184 * _e200);
             let _e209 = (_e185 * _e201);
-            let _e210 = (_e194 * _e202);
+            let _e210 = (_e186 * _e202);
             let _e211 = (_e195 * _e203);
             let _e212 = (_e196 * _e204);
             let _e213 = (_e197 * _e205);
-            let _e214 = (_e69 * _e69);
-            let _e215 = (_e81 * _e81);
-            let _e216 = (_e93 * _e93);
-            let _e217 = (_e105 * _e105);
-            let _e218 = (_e155 * _e155);
-            let _e219 = (_e157 * _e157);
-            let _e220 = (_e159 * _e159);
-            let _e221 = (_e161 * _e161);
-            let _e222 = (_e142 * _e145);
-            let _e223 = (_e142 * _e147);
-            let _e224 = (_e142 * _e149);
-            let _e225 = (_e142 * _e151);
-            let _e234 = (((_e222 * _e106) * _e214) * _e152);
-            let _e235 = (((_e223 * _e107) * _e215) * _e152);
-            let _e236 = (((_e224 * _e108) * _e216) * _e152);
-            let _e237 = (((_e225 * _e109) * _e217) * _e152);
-            let _e246 = (((_e222 * _e106) * _e218) * _e153);
-            let _e247 = (((_e223 * _e107) * _e219) * _e153);
-            let _e248 = (((_e224 * _e108) * _e220) * _e153);
-            let _e249 = (((_e225 * _e109) * _e221) * _e153);
-            let _e417 = (((((((_e182 * _e149) * _e167) * _e174) + (_e142 * (((_e182 * ((_e214 * _e215) + (_e218 * _e219))) + (_e194 * ((_e214 * _e216) + (_e218 * _e220)))) + ((_e222 * _e214) * _e218)))) + ((((_e183 * _e151) * _e168) * _e175) + (_e142 * (((_e183 * ((_e215 * _e216) + (_e219 * _e220))) + (_e195 * ((_e215 * _e217) + (_e219 * _e221)))) + ((_e223 * _e215) * _e219))))) + ((((_e184 * _e145) * _e169) * _e176) + (_e142 * (((_e184 * ((_e216 * _e217) + (_e220 * _e221))) + (_e196 * ((_e216 * _e214) + (_e220 * _e218)))) + ((_e224 * _e216) * _e220))))) + ((((_e185 * _e147) * _e166) * _e177) + (_e142 * (((_e185 * ((_e217 * _e214) + (_e221 * _e218))) + (_e197 * ((_e217 * _e215) + (_e221 * _e219)))) + ((_e225 * _e217) * _e221)))));
-            let _e420 = (((_e142 * _e142) * _e152) * _e153);
-            let _e423 = (((((((_e206 * _e198) + (_e210 * _e202)) + (_e106 * ((_e234 * _e152) + (_e246 * _e153)))) + (((_e207 * _e199) + (_e211 * _e203)) + (_e107 * ((_e235 * _e152) + (_e247 * _e153))))) + (((_e208 * _e200) + (_e212 * _e204)) + (_e108 * ((_e236 * _e152) + (_e248 * _e153))))) + (((_e209 * _e201) + (_e213 * _e205)) + (_e109 * ((_e237 * _e152) + (_e249 * _e153))))) + ((_e420 * _e152) * _e153));
-            let _e429 = (_e423 < 0.0000000000000000000000000000000001f);
-            if _e429 {
-                if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-                    phi_611_ = _e106;
-                } else {
-                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_610_ = 0f;
-                    } else {
-                        if (_e106 < 0f) {
-                            phi_609_ = 0f;
-                        } else {
-                            phi_609_ = 1f;
-                        }
-                        let _e438 = phi_609_;
-                        phi_610_ = _e438;
-                    }
-                    let _e440 = phi_610_;
-                    phi_611_ = _e440;
-                }
-                let _e442 = phi_611_;
+            let _e214 = (_e198 * _e206);
+            let _e215 = (_e70 * _e70);
+            let _e216 = (_e82 * _e82);
+            let _e217 = (_e94 * _e94);
+            let _e218 = (_e106 * _e106);
+            let _e219 = (_e156 * _e156);
+            let _e220 = (_e158 * _e158);
+            let _e221 = (_e160 * _e160);
+            let _e222 = (_e162 * _e162);
+            let _e223 = (_e143 * _e146);
+            let _e224 = (_e143 * _e148);
+            let _e225 = (_e143 * _e150);
+            let _e226 = (_e143 * _e152);
+            let _e235 = (((_e223 * _e107) * _e215) * _e153);
+            let _e236 = (((_e224 * _e108) * _e216) * _e153);
+            let _e237 = (((_e225 * _e109) * _e217) * _e153);
+            let _e238 = (((_e226 * _e110) * _e218) * _e153);
+            let _e247 = (((_e223 * _e107) * _e219) * _e154);
+            let _e248 = (((_e224 * _e108) * _e220) * _e154);
+            let _e249 = (((_e225 * _e109) * _e221) * _e154);
+            let _e250 = (((_e226 * _e110) * _e222) * _e154);
+            let _e418 = (((((((_e183 * _e150) * _e168) * _e175) + (_e143 * (((_e183 * ((_e215 * _e216) + (_e219 * _e220))) + (_e195 * ((_e215 * _e217) + (_e219 * _e221)))) + ((_e223 * _e215) * _e219)))) + ((((_e184 * _e152) * _e169) * _e176) + (_e143 * (((_e184 * ((_e216 * _e217) + (_e220 * _e221))) + (_e196 * ((_e216 * _e218) + (_e220 * _e222)))) + ((_e224 * _e216) * _e220))))) + ((((_e185 * _e146) * _e170) * _e177) + (_e143 * (((_e185 * ((_e217 * _e218) + (_e221 * _e222))) + (_e197 * ((_e217 * _e215) + (_e221 * _e219)))) + ((_e225 * _e217) * _e221))))) + ((((_e186 * _e148) * _e167) * _e178) + (_e143 * (((_e186 * ((_e218 * _e215) + (_e222 * _e219))) + (_e198 * ((_e218 * _e216) + (_e222 * _e220)))) + ((_e226 * _e218) * _e222)))));
+            let _e421 = (((_e143 * _e143) * _e153) * _e154);
+            let _e424 = (((((((_e207 * _e199) + (_e211 * _e203)) + (_e107 * ((_e235 * _e153) + (_e247 * _e154)))) + (((_e208 * _e200) + (_e212 * _e204)) + (_e108 * ((_e236 * _e153) + (_e248 * _e154))))) + (((_e209 * _e201) + (_e213 * _e205)) + (_e109 * ((_e237 * _e153) + (_e249 * _e154))))) + (((_e210 * _e202) + (_e214 * _e206)) + (_e110 * ((_e238 * _e153) + (_e250 * _e154))))) + ((_e421 * _e153) * _e154));
+            let _e430 = (_e424 < 0.0000000000000000000000000000000001f);
+            if _e430 {
                 if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
-                    phi_630_ = _e107;
+                    phi_615_ = _e107;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_629_ = 0f;
+                        phi_614_ = 0f;
                     } else {
                         if (_e107 < 0f) {
-                            phi_628_ = 0f;
+                            phi_613_ = 0f;
                         } else {
-                            phi_628_ = 1f;
+                            phi_613_ = 1f;
                         }
-                        let _e451 = phi_628_;
-                        phi_629_ = _e451;
+                        let _e439 = phi_613_;
+                        phi_614_ = _e439;
                     }
-                    let _e453 = phi_629_;
-                    phi_630_ = _e453;
+                    let _e441 = phi_614_;
+                    phi_615_ = _e441;
                 }
-                let _e455 = phi_630_;
+                let _e443 = phi_615_;
                 if ((bitcast<u32>(_e108) & 2147483647u) > 2139095040u) {
-                    phi_649_ = _e108;
+                    phi_634_ = _e108;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_648_ = 0f;
+                        phi_633_ = 0f;
                     } else {
                         if (_e108 < 0f) {
-                            phi_647_ = 0f;
+                            phi_632_ = 0f;
                         } else {
-                            phi_647_ = 1f;
+                            phi_632_ = 1f;
                         }
-                        let _e464 = phi_647_;
-                        phi_648_ = _e464;
+                        let _e452 = phi_632_;
+                        phi_633_ = _e452;
                     }
-                    let _e466 = phi_648_;
-                    phi_649_ = _e466;
+                    let _e454 = phi_633_;
+                    phi_634_ = _e454;
                 }
-                let _e468 = phi_649_;
+                let _e456 = phi_634_;
                 if ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u) {
-                    phi_668_ = _e109;
+                    phi_653_ = _e109;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_667_ = 0f;
+                        phi_652_ = 0f;
                     } else {
                         if (_e109 < 0f) {
-                            phi_666_ = 0f;
+                            phi_651_ = 0f;
                         } else {
-                            phi_666_ = 1f;
+                            phi_651_ = 1f;
                         }
-                        let _e477 = phi_666_;
-                        phi_667_ = _e477;
+                        let _e465 = phi_651_;
+                        phi_652_ = _e465;
                     }
-                    let _e479 = phi_667_;
-                    phi_668_ = _e479;
+                    let _e467 = phi_652_;
+                    phi_653_ = _e467;
                 }
-                let _e481 = phi_668_;
-                let _e489 = (((((_e442 * _e145) + (_e455 * _e147)) + (_e468 * _e149)) + (_e481 * _e151)) + _e142);
-                if ((bitcast<u32>(_e489) & 2147483647u) > 2139095040u) {
-                    phi_693_ = _e489;
+                let _e469 = phi_653_;
+                if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
+                    phi_672_ = _e110;
                 } else {
-                    if (_e489 < 0f) {
-                        phi_692_ = 0f;
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_671_ = 0f;
                     } else {
-                        if (_e489 > 1f) {
-                            phi_691_ = 1f;
+                        if (_e110 < 0f) {
+                            phi_670_ = 0f;
                         } else {
-                            phi_691_ = _e489;
+                            phi_670_ = 1f;
                         }
-                        let _e496 = phi_691_;
-                        phi_692_ = _e496;
+                        let _e478 = phi_670_;
+                        phi_671_ = _e478;
                     }
-                    let _e498 = phi_692_;
-                    phi_693_ = _e498;
+                    let _e480 = phi_671_;
+                    phi_672_ = _e480;
                 }
-                let _e500 = phi_693_;
-                phi_806_ = _e500;
-                phi_807_ = f32();
+                let _e482 = phi_672_;
+                let _e490 = (((((_e443 * _e146) + (_e456 * _e148)) + (_e469 * _e150)) + (_e482 * _e152)) + _e143);
+                if ((bitcast<u32>(_e490) & 2147483647u) > 2139095040u) {
+                    phi_697_ = _e490;
+                } else {
+                    if (_e490 < 0f) {
+                        phi_696_ = 0f;
+                    } else {
+                        if (_e490 > 1f) {
+                            phi_695_ = 1f;
+                        } else {
+                            phi_695_ = _e490;
+                        }
+                        let _e497 = phi_695_;
+                        phi_696_ = _e497;
+                    }
+                    let _e499 = phi_696_;
+                    phi_697_ = _e499;
+                }
+                let _e501 = phi_697_;
+                phi_810_ = _e501;
+                phi_811_ = f32();
             } else {
-                let _e502 = ((0.5f * -(((((((((_e206 * (_e106 + _e107)) + (_e210 * (_e106 + _e108))) + (_e234 * (_e106 + _e152))) + (_e246 * (_e106 + _e153))) + ((((_e207 * (_e107 + _e108)) + (_e211 * (_e107 + _e109))) + (_e235 * (_e107 + _e152))) + (_e247 * (_e107 + _e153)))) + ((((_e208 * (_e108 + _e109)) + (_e212 * (_e108 + _e106))) + (_e236 * (_e108 + _e152))) + (_e248 * (_e108 + _e153)))) + ((((_e209 * (_e109 + _e106)) + (_e213 * (_e109 + _e107))) + (_e237 * (_e109 + _e152))) + (_e249 * (_e109 + _e153)))) + (_e420 * (_e152 + _e153))))) / _e423);
-                let _e503 = ((((((((_e206 + _e210) + _e234) + _e246) + (((_e207 + _e211) + _e235) + _e247)) + (((_e208 + _e212) + _e236) + _e248)) + (((_e209 + _e213) + _e237) + _e249)) + _e420) / _e423);
-                let _e505 = ((_e502 * _e502) - _e503);
-                if (_e505 > 0f) {
-                    phi_704_ = sqrt(_e505);
+                let _e503 = ((0.5f * -(((((((((_e207 * (_e107 + _e108)) + (_e211 * (_e107 + _e109))) + (_e235 * (_e107 + _e153))) + (_e247 * (_e107 + _e154))) + ((((_e208 * (_e108 + _e109)) + (_e212 * (_e108 + _e110))) + (_e236 * (_e108 + _e153))) + (_e248 * (_e108 + _e154)))) + ((((_e209 * (_e109 + _e110)) + (_e213 * (_e109 + _e107))) + (_e237 * (_e109 + _e153))) + (_e249 * (_e109 + _e154)))) + ((((_e210 * (_e110 + _e107)) + (_e214 * (_e110 + _e108))) + (_e238 * (_e110 + _e153))) + (_e250 * (_e110 + _e154)))) + (_e421 * (_e153 + _e154))))) / _e424);
+                let _e504 = ((((((((_e207 + _e211) + _e235) + _e247) + (((_e208 + _e212) + _e236) + _e248)) + (((_e209 + _e213) + _e237) + _e249)) + (((_e210 + _e214) + _e238) + _e250)) + _e421) / _e424);
+                let _e506 = ((_e503 * _e503) - _e504);
+                if (_e506 > 0f) {
+                    phi_708_ = sqrt(_e506);
                 } else {
-                    phi_704_ = 0f;
+                    phi_708_ = 0f;
                 }
-                let _e509 = phi_704_;
-                if (_e502 > 0f) {
-                    let _e512 = (-(_e502) - _e509);
-                    phi_721_ = lt_bvh_slab_Span(_e512, (_e503 / _e512));
+                let _e510 = phi_708_;
+                if (_e503 > 0f) {
+                    let _e513 = (-(_e503) - _e510);
+                    phi_725_ = lt_bvh_slab_Span(_e513, (_e504 / _e513));
                 } else {
-                    let _e515 = (_e509 - _e502);
-                    if (_e515 > 0f) {
-                        phi_719_ = (_e503 / _e515);
+                    let _e516 = (_e510 - _e503);
+                    if (_e516 > 0f) {
+                        phi_723_ = (_e504 / _e516);
                     } else {
-                        phi_719_ = 0f;
+                        phi_723_ = 0f;
                     }
-                    let _e519 = phi_719_;
-                    phi_721_ = lt_bvh_slab_Span(_e519, _e515);
+                    let _e520 = phi_723_;
+                    phi_725_ = lt_bvh_slab_Span(_e520, _e516);
                 }
-                let _e522 = phi_721_;
-                if (_e522.near >= 0f) {
-                    phi_782_ = 1f;
-                    phi_783_ = f32();
-                    phi_784_ = true;
+                let _e523 = phi_725_;
+                if (_e523.near >= 0f) {
+                    phi_786_ = 1f;
+                    phi_787_ = f32();
+                    phi_788_ = true;
                 } else {
-                    let _e526 = (_e522.far <= 0f);
-                    if _e526 {
-                        phi_780_ = (_e417 / _e423);
-                        phi_781_ = f32();
+                    let _e527 = (_e523.far <= 0f);
+                    if _e527 {
+                        phi_784_ = (_e418 / _e424);
+                        phi_785_ = f32();
                     } else {
-                        let _e537 = (((((_e145 * _e106) + (_e147 * _e107)) + (_e149 * _e108)) + (_e151 * _e109)) + (_e142 * (_e152 + _e153)));
-                        let _e553 = (((((_e145 * (_e106 * _e106)) + (_e147 * (_e107 * _e107))) + (_e149 * (_e108 * _e108))) + (_e151 * (_e109 * _e109))) + (_e142 * ((_e152 * _e152) + (_e153 * _e153))));
-                        if (-(_e522.near) <= _e522.far) {
-                            phi_779_ = (1f - (((_e522.near * _e522.near) * ((_e522.far * _e553) - _e537)) / (_e522.far - _e522.near)));
+                        let _e538 = (((((_e146 * _e107) + (_e148 * _e108)) + (_e150 * _e109)) + (_e152 * _e110)) + (_e143 * (_e153 + _e154)));
+                        let _e554 = (((((_e146 * (_e107 * _e107)) + (_e148 * (_e108 * _e108))) + (_e150 * (_e109 * _e109))) + (_e152 * (_e110 * _e110))) + (_e143 * ((_e153 * _e153) + (_e154 * _e154))));
+                        if (-(_e523.near) <= _e523.far) {
+                            phi_783_ = (1f - (((_e523.near * _e523.near) * ((_e523.far * _e554) - _e538)) / (_e523.far - _e523.near)));
                         } else {
-                            phi_779_ = ((_e417 / _e423) + (((_e522.far * _e522.far) * (_e537 - (_e522.near * _e553))) / (_e522.far - _e522.near)));
+                            phi_783_ = ((_e418 / _e424) + (((_e523.far * _e523.far) * (_e538 - (_e523.near * _e554))) / (_e523.far - _e523.near)));
                         }
-                        let _e572 = phi_779_;
-                        phi_780_ = f32();
-                        phi_781_ = _e572;
+                        let _e573 = phi_783_;
+                        phi_784_ = f32();
+                        phi_785_ = _e573;
                     }
-                    let _e574 = phi_780_;
-                    let _e576 = phi_781_;
-                    phi_782_ = _e574;
-                    phi_783_ = _e576;
-                    phi_784_ = _e526;
+                    let _e575 = phi_784_;
+                    let _e577 = phi_785_;
+                    phi_786_ = _e575;
+                    phi_787_ = _e577;
+                    phi_788_ = _e527;
                 }
-                let _e578 = phi_782_;
-                let _e580 = phi_783_;
-                let _e582 = phi_784_;
-                if _e582 {
-                    phi_788_ = _e578;
+                let _e579 = phi_786_;
+                let _e581 = phi_787_;
+                let _e583 = phi_788_;
+                if _e583 {
+                    phi_792_ = _e579;
                 } else {
-                    phi_788_ = _e580;
+                    phi_792_ = _e581;
                 }
-                let _e584 = phi_788_;
-                if ((bitcast<u32>(_e584) & 2147483647u) > 2139095040u) {
-                    phi_805_ = _e584;
+                let _e585 = phi_792_;
+                if ((bitcast<u32>(_e585) & 2147483647u) > 2139095040u) {
+                    phi_809_ = _e585;
                 } else {
-                    if (_e584 < 0f) {
-                        phi_804_ = 0f;
+                    if (_e585 < 0f) {
+                        phi_808_ = 0f;
                     } else {
-                        if (_e584 > 1f) {
-                            phi_803_ = 1f;
+                        if (_e585 > 1f) {
+                            phi_807_ = 1f;
                         } else {
-                            phi_803_ = _e584;
+                            phi_807_ = _e585;
                         }
-                        let _e591 = phi_803_;
-                        phi_804_ = _e591;
+                        let _e592 = phi_807_;
+                        phi_808_ = _e592;
                     }
-                    let _e593 = phi_804_;
-                    phi_805_ = _e593;
+                    let _e594 = phi_808_;
+                    phi_809_ = _e594;
                 }
-                let _e595 = phi_805_;
-                phi_806_ = f32();
-                phi_807_ = _e595;
+                let _e596 = phi_809_;
+                phi_810_ = f32();
+                phi_811_ = _e596;
             }
-            let _e597 = phi_806_;
-            let _e599 = phi_807_;
-            phi_808_ = _e597;
-            phi_809_ = _e599;
-            phi_810_ = _e429;
+            let _e598 = phi_810_;
+            let _e600 = phi_811_;
+            phi_812_ = _e598;
+            phi_813_ = _e600;
+            phi_814_ = _e430;
         }
-        let _e601 = phi_808_;
-        let _e603 = phi_809_;
-        let _e605 = phi_810_;
-        phi_811_ = _e601;
-        phi_812_ = _e603;
-        phi_813_ = _e605;
+        let _e602 = phi_812_;
+        let _e604 = phi_813_;
+        let _e606 = phi_814_;
+        phi_815_ = _e602;
+        phi_816_ = _e604;
+        phi_817_ = _e606;
     }
-    let _e607 = phi_811_;
-    let _e609 = phi_812_;
-    let _e611 = phi_813_;
-    if _e611 {
-        phi_817_ = _e607;
+    let _e608 = phi_815_;
+    let _e610 = phi_816_;
+    let _e612 = phi_817_;
+    if _e612 {
+        phi_821_ = _e608;
     } else {
-        phi_817_ = _e609;
+        phi_821_ = _e610;
     }
-    let _e613 = phi_817_;
-    return _e613;
+    let _e614 = phi_821_;
+    return _e614;
 }
 
 fn function_() {
     var local: f32;
-    var phi_878_: bool;
-    var phi_879_: bool;
-    var phi_880_: bool;
     var phi_881_: bool;
-    var phi_885_: bool;
-    var phi_929_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_933_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_953_: lt_math_LightPoint;
-    var phi_956_: u32;
-    var phi_958_: lt_math_LevelPoint;
-    var phi_1044_: bool;
-    var phi_1053_: bool;
-    var phi_1062_: bool;
-    var phi_1063_: bool;
-    var phi_1064_: bool;
-    var phi_1065_: bool;
-    var phi_1066_: bool;
-    var phi_1067_: bool;
-    var phi_1068_: bool;
-    var phi_1072_: bool;
-    var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1101_: bool;
-    var phi_1102_: bool;
-    var phi_1103_: bool;
+    var phi_882_: bool;
+    var phi_883_: bool;
+    var phi_884_: bool;
+    var phi_888_: bool;
+    var phi_958_: bool;
+    var phi_959_: bool;
+    var phi_970_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_971_: bool;
+    var phi_972_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_973_: bool;
+    var phi_980_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_984_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1004_: lt_math_LightPoint;
+    var phi_1007_: u32;
+    var phi_1009_: lt_math_LevelPoint;
+    var phi_1095_: bool;
     var phi_1104_: bool;
-    var phi_1105_: bool;
-    var phi_1106_: bool;
-    var phi_1110_: bool;
-    var phi_1119_: lt_math_LightPoint;
-    var phi_1120_: u32;
-    var phi_1121_: lt_math_LevelPoint;
-    var phi_1122_: bool;
-    var phi_954_: lt_math_LightPoint;
-    var phi_957_: u32;
-    var phi_959_: lt_math_LevelPoint;
+    var phi_1113_: bool;
+    var phi_1114_: bool;
+    var phi_1115_: bool;
+    var phi_1116_: bool;
+    var phi_1117_: bool;
+    var phi_1118_: bool;
+    var phi_1119_: bool;
     var phi_1123_: bool;
+    var phi_1150_: bool;
+    var phi_1151_: bool;
+    var phi_1152_: bool;
+    var phi_1153_: bool;
+    var phi_1154_: bool;
+    var phi_1155_: bool;
+    var phi_1156_: bool;
+    var phi_1157_: bool;
+    var phi_1161_: bool;
+    var phi_1170_: lt_math_LightPoint;
+    var phi_1171_: u32;
+    var phi_1172_: lt_math_LevelPoint;
+    var phi_1173_: bool;
+    var phi_1005_: lt_math_LightPoint;
+    var phi_1008_: u32;
+    var phi_1010_: lt_math_LevelPoint;
+    var phi_1174_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1166_: bool;
-    var phi_1170_: bool;
-    var phi_1252_: f32;
-    var phi_1368_: f32;
-    var phi_1369_: f32;
-    var phi_1372_: f32;
-    var phi_1401_: f32;
-    var phi_1406_: f32;
-    var phi_1407_: bool;
-    var phi_1408_: f32;
-    var phi_1409_: bool;
-    var phi_1413_: f32;
-    var phi_1433_: f32;
-    var phi_1438_: f32;
-    var phi_1439_: bool;
-    var phi_1440_: f32;
-    var phi_1441_: bool;
-    var phi_1445_: f32;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1217_: bool;
+    var phi_1221_: bool;
+    var phi_1303_: f32;
+    var phi_1421_: f32;
+    var phi_1422_: f32;
+    var phi_1425_: f32;
+    var phi_1454_: f32;
+    var phi_1459_: f32;
+    var phi_1460_: bool;
+    var phi_1461_: f32;
+    var phi_1462_: bool;
+    var phi_1466_: f32;
+    var phi_1486_: f32;
+    var phi_1491_: f32;
+    var phi_1492_: bool;
+    var phi_1493_: f32;
+    var phi_1494_: bool;
+    var phi_1498_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1494_: i32;
-    var phi_1499_: i32;
-    var phi_1504_: i32;
-    var phi_1509_: i32;
-    var phi_1518_: i32;
-    var phi_1523_: i32;
-    var phi_1528_: i32;
-    var phi_1533_: i32;
-    var phi_1584_: bool;
-    var phi_1592_: bool;
-    var phi_1604_: bool;
-    var phi_1605_: bool;
-    var phi_1609_: f32;
-    var phi_1615_: f32;
-    var phi_1617_: evaluate_Verdict;
-    var phi_1622_: evaluate_Verdict;
-    var phi_1623_: evaluate_Verdict;
+    var phi_1547_: i32;
+    var phi_1552_: i32;
+    var phi_1557_: i32;
+    var phi_1562_: i32;
+    var phi_1571_: i32;
+    var phi_1576_: i32;
+    var phi_1581_: i32;
+    var phi_1586_: i32;
+    var phi_1637_: bool;
+    var phi_1645_: bool;
+    var phi_1657_: bool;
+    var phi_1658_: bool;
+    var phi_1662_: f32;
+    var phi_1668_: f32;
+    var phi_1670_: evaluate_Verdict;
+    var phi_1675_: evaluate_Verdict;
+    var phi_1676_: evaluate_Verdict;
 
-    let _e42 = id_1;
-    let _e49 = arrayLength((&map.member));
-    let _e55 = arrayLength((&levels.member));
-    let _e58 = p.member.size[0u];
-    let _e60 = p.member.size[1u];
-    let _e61 = lt_shaders_entry_pixel_index(_e42, _e58, _e60);
-    if (bitcast<i32>(_e61.root) != 0i) {
-        let _e67 = p.member.level_count;
-        if (_e61.first_primitive < arrayLength((&samples.member))) {
+    let _e43 = id_1;
+    let _e50 = arrayLength((&map.member));
+    let _e56 = arrayLength((&levels.member));
+    let _e59 = p.member.size[0u];
+    let _e61 = p.member.size[1u];
+    let _e62 = lt_shaders_entry_pixel_index(_e43, _e59, _e61);
+    if (bitcast<i32>(_e62.root) != 0i) {
+        let _e68 = p.member.level_count;
+        if (_e62.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e72 = p.member.light;
-        let _e75 = samples.member[(0u + _e61.first_primitive)].normal[0u];
+        let _e75 = samples.member[(0u + _e62.first_primitive)].normal[0u];
         let _e77 = global[0u];
         if (_e75 == _e77) {
-            let _e80 = samples.member[(0u + _e61.first_primitive)].normal[1u];
+            let _e80 = samples.member[(0u + _e62.first_primitive)].normal[1u];
             let _e82 = global[1u];
             if (_e80 == _e82) {
-                let _e85 = samples.member[(0u + _e61.first_primitive)].normal[2u];
+                let _e85 = samples.member[(0u + _e62.first_primitive)].normal[2u];
                 let _e87 = global[2u];
-                phi_878_ = (_e85 == _e87);
-                phi_879_ = false;
+                phi_881_ = (_e85 == _e87);
+                phi_882_ = false;
             } else {
-                phi_878_ = bool();
-                phi_879_ = true;
+                phi_881_ = bool();
+                phi_882_ = true;
             }
-            let _e90 = phi_878_;
-            let _e92 = phi_879_;
-            phi_880_ = _e90;
-            phi_881_ = _e92;
+            let _e90 = phi_881_;
+            let _e92 = phi_882_;
+            phi_883_ = _e90;
+            phi_884_ = _e92;
         } else {
-            phi_880_ = bool();
-            phi_881_ = true;
+            phi_883_ = bool();
+            phi_884_ = true;
         }
-        let _e94 = phi_880_;
-        let _e96 = phi_881_;
+        let _e94 = phi_883_;
+        let _e96 = phi_884_;
         if _e96 {
-            phi_885_ = false;
+            phi_888_ = false;
         } else {
-            phi_885_ = _e94;
+            phi_888_ = _e94;
         }
-        let _e98 = phi_885_;
+        let _e98 = phi_888_;
         if !(_e98) {
-            let _e101 = samples.member[(0u + _e61.first_primitive)].normal;
-            let _e103 = samples.member[(0u + _e61.first_primitive)].position;
-            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
-                let _e127 = samples.member[(0u + _e61.first_primitive)].flags;
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_929_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
-            } else {
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_929_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
-            }
-            let _e161 = phi_929_;
-            phi_933_ = _e161;
-        } else {
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_933_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
-        }
-        let _e178 = phi_933_;
-        if _e178.unnamed_1 {
-            phi_1623_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
-        } else {
-            let _e186 = samples.member[(0u + _e61.first_primitive)].position;
-            let _e188 = p.member.map_size;
-            let _e190 = (0.5f / f32(_e188));
-            let _e197 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e204 = lt_math_LightPoint(vec2<f32>(_e197.uv.x, 0f), _e197.depth, _e197.is_inside);
-            let _e208 = lt_math_LightPoint(_e204.uv, 0f, _e204.is_inside);
-            phi_953_ = lt_math_LightPoint();
-            phi_956_ = 0u;
-            phi_958_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e208.uv, _e208.depth, false));
-            loop {
-                let _e215 = phi_953_;
-                let _e217 = phi_956_;
-                let _e219 = phi_958_;
-                local_1 = _e219;
-                local_2 = _e219;
-                local_3 = _e219;
-                if (_e217 < _e67) {
-                    if _e219.point.is_inside {
-                        phi_1119_ = lt_math_LightPoint();
-                        phi_1120_ = u32();
-                        phi_1121_ = lt_math_LevelPoint();
-                        phi_1122_ = false;
+            let _e101 = samples.member[(0u + _e62.first_primitive)].position;
+            let _e103 = p.member.light.place;
+            let _e109 = p.member.light.place[3u];
+            let _e116 = (_e103.x - (_e101.x * _e109));
+            let _e117 = (_e103.y - (_e101.y * _e109));
+            let _e118 = (_e103.z - (_e101.z * _e109));
+            let _e120 = samples.member[(0u + _e62.first_primitive)].normal;
+            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
+                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
+                let _e136 = p.member.light.axis;
+                let _e148 = p.member.light.place[3u];
+                if (_e148 == 0f) {
+                    phi_959_ = true;
+                } else {
+                    let _e151 = p.member.light.range_squared;
+                    if (_e134 <= _e151) {
+                        let _e154 = p.member.light.cos_outer;
+                        phi_958_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
                     } else {
-                        if (_e217 < _e55) {
+                        phi_958_ = false;
+                    }
+                    let _e159 = phi_958_;
+                    phi_959_ = _e159;
+                }
+                let _e161 = phi_959_;
+                if _e161 {
+                    let _e163 = samples.member[(0u + _e62.first_primitive)].flags;
+                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
+                    phi_970_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
+                    phi_971_ = false;
+                } else {
+                    phi_970_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_971_ = true;
+                }
+                let _e182 = phi_970_;
+                let _e184 = phi_971_;
+                phi_972_ = _e182;
+                phi_973_ = _e184;
+            } else {
+                phi_972_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_973_ = true;
+            }
+            let _e186 = phi_972_;
+            let _e188 = phi_973_;
+            if _e188 {
+                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
+                phi_980_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
+            } else {
+                phi_980_ = _e186;
+            }
+            let _e205 = phi_980_;
+            phi_984_ = _e205;
+        } else {
+            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
+            phi_984_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+        }
+        let _e222 = phi_984_;
+        if _e222.unnamed_1 {
+            phi_1676_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
+        } else {
+            let _e230 = samples.member[(0u + _e62.first_primitive)].position;
+            let _e232 = p.member.map_size;
+            let _e234 = (0.5f / f32(_e232));
+            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
+            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
+            phi_1004_ = lt_math_LightPoint();
+            phi_1007_ = 0u;
+            phi_1009_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
+            loop {
+                let _e259 = phi_1004_;
+                let _e261 = phi_1007_;
+                let _e263 = phi_1009_;
+                local_1 = _e263;
+                local_2 = _e263;
+                local_3 = _e263;
+                if (_e261 < _e68) {
+                    if _e263.point.is_inside {
+                        phi_1170_ = lt_math_LightPoint();
+                        phi_1171_ = u32();
+                        phi_1172_ = lt_math_LevelPoint();
+                        phi_1173_ = false;
+                    } else {
+                        if (_e261 < _e56) {
                         } else {
                             return;
                         }
-                        let _e230 = levels.member[(0u + _e217)].row_w;
-                        let _e241 = ((((_e230.x * _e186.x) + (_e230.y * _e186.y)) + (_e230.z * _e186.z)) + (_e230.w * 1f));
-                        let _e243 = levels.member[(0u + _e217)].row_x;
-                        let _e255 = (((((_e243.x * _e186.x) + (_e243.y * _e186.y)) + (_e243.z * _e186.z)) + (_e243.w * 1f)) / _e241);
-                        let _e257 = levels.member[(0u + _e217)].row_y;
-                        let _e269 = (((((_e257.x * _e186.x) + (_e257.y * _e186.y)) + (_e257.z * _e186.z)) + (_e257.w * 1f)) / _e241);
-                        let _e271 = levels.member[(0u + _e217)].row_z;
-                        let _e282 = ((((_e271.x * _e186.x) + (_e271.y * _e186.y)) + (_e271.z * _e186.z)) + (_e271.w * 1f));
-                        if (_e241 > 0f) {
-                            if (_e255 >= 0f) {
-                                phi_1044_ = (_e255 <= 1f);
+                        let _e274 = levels.member[(0u + _e261)].row_w;
+                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
+                        let _e287 = levels.member[(0u + _e261)].row_x;
+                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
+                        let _e301 = levels.member[(0u + _e261)].row_y;
+                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
+                        let _e315 = levels.member[(0u + _e261)].row_z;
+                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
+                        if (_e285 > 0f) {
+                            if (_e299 >= 0f) {
+                                phi_1095_ = (_e299 <= 1f);
                             } else {
-                                phi_1044_ = false;
+                                phi_1095_ = false;
                             }
-                            let _e287 = phi_1044_;
-                            if _e287 {
-                                if (_e269 >= 0f) {
-                                    phi_1053_ = (_e269 <= 1f);
+                            let _e331 = phi_1095_;
+                            if _e331 {
+                                if (_e313 >= 0f) {
+                                    phi_1104_ = (_e313 <= 1f);
                                 } else {
-                                    phi_1053_ = false;
+                                    phi_1104_ = false;
                                 }
-                                let _e291 = phi_1053_;
-                                if _e291 {
-                                    if (_e282 >= 0f) {
-                                        phi_1062_ = (_e282 <= 1f);
+                                let _e335 = phi_1104_;
+                                if _e335 {
+                                    if (_e326 >= 0f) {
+                                        phi_1113_ = (_e326 <= 1f);
                                     } else {
-                                        phi_1062_ = false;
+                                        phi_1113_ = false;
                                     }
-                                    let _e295 = phi_1062_;
-                                    phi_1063_ = _e295;
-                                    phi_1064_ = false;
+                                    let _e339 = phi_1113_;
+                                    phi_1114_ = _e339;
+                                    phi_1115_ = false;
                                 } else {
-                                    phi_1063_ = bool();
-                                    phi_1064_ = true;
+                                    phi_1114_ = bool();
+                                    phi_1115_ = true;
                                 }
-                                let _e297 = phi_1063_;
-                                let _e299 = phi_1064_;
-                                phi_1065_ = _e297;
-                                phi_1066_ = _e299;
+                                let _e341 = phi_1114_;
+                                let _e343 = phi_1115_;
+                                phi_1116_ = _e341;
+                                phi_1117_ = _e343;
                             } else {
-                                phi_1065_ = bool();
-                                phi_1066_ = true;
+                                phi_1116_ = bool();
+                                phi_1117_ = true;
                             }
-                            let _e301 = phi_1065_;
-                            let _e303 = phi_1066_;
-                            phi_1067_ = _e301;
-                            phi_1068_ = _e303;
+                            let _e345 = phi_1116_;
+                            let _e347 = phi_1117_;
+                            phi_1118_ = _e345;
+                            phi_1119_ = _e347;
                         } else {
-                            phi_1067_ = bool();
-                            phi_1068_ = true;
+                            phi_1118_ = bool();
+                            phi_1119_ = true;
                         }
-                        let _e305 = phi_1067_;
-                        let _e307 = phi_1068_;
-                        if _e307 {
-                            phi_1072_ = false;
+                        let _e349 = phi_1118_;
+                        let _e351 = phi_1119_;
+                        if _e351 {
+                            phi_1123_ = false;
                         } else {
-                            phi_1072_ = _e305;
+                            phi_1123_ = _e349;
                         }
-                        let _e309 = phi_1072_;
-                        if _e309 {
-                            if (_e255 >= _e190) {
-                                if (_e255 <= (1f - _e190)) {
-                                    if (_e269 >= _e190) {
-                                        phi_1099_ = (_e269 <= (1f - _e190));
-                                        phi_1100_ = false;
+                        let _e353 = phi_1123_;
+                        if _e353 {
+                            if (_e299 >= _e234) {
+                                if (_e299 <= (1f - _e234)) {
+                                    if (_e313 >= _e234) {
+                                        phi_1150_ = (_e313 <= (1f - _e234));
+                                        phi_1151_ = false;
                                     } else {
-                                        phi_1099_ = bool();
-                                        phi_1100_ = true;
+                                        phi_1150_ = bool();
+                                        phi_1151_ = true;
                                     }
-                                    let _e317 = phi_1099_;
-                                    let _e319 = phi_1100_;
-                                    phi_1101_ = _e317;
-                                    phi_1102_ = _e319;
+                                    let _e361 = phi_1150_;
+                                    let _e363 = phi_1151_;
+                                    phi_1152_ = _e361;
+                                    phi_1153_ = _e363;
                                 } else {
-                                    phi_1101_ = bool();
-                                    phi_1102_ = true;
+                                    phi_1152_ = bool();
+                                    phi_1153_ = true;
                                 }
-                                let _e321 = phi_1101_;
-                                let _e323 = phi_1102_;
-                                phi_1103_ = _e321;
-                                phi_1104_ = _e323;
+                                let _e365 = phi_1152_;
+                                let _e367 = phi_1153_;
+                                phi_1154_ = _e365;
+                                phi_1155_ = _e367;
                             } else {
-                                phi_1103_ = bool();
-                                phi_1104_ = true;
+                                phi_1154_ = bool();
+                                phi_1155_ = true;
                             }
-                            let _e325 = phi_1103_;
-                            let _e327 = phi_1104_;
-                            phi_1105_ = _e325;
-                            phi_1106_ = _e327;
+                            let _e369 = phi_1154_;
+                            let _e371 = phi_1155_;
+                            phi_1156_ = _e369;
+                            phi_1157_ = _e371;
                         } else {
-                            phi_1105_ = bool();
-                            phi_1106_ = true;
+                            phi_1156_ = bool();
+                            phi_1157_ = true;
                         }
-                        let _e329 = phi_1105_;
-                        let _e331 = phi_1106_;
-                        if _e331 {
-                            phi_1110_ = false;
+                        let _e373 = phi_1156_;
+                        let _e375 = phi_1157_;
+                        if _e375 {
+                            phi_1161_ = false;
                         } else {
-                            phi_1110_ = _e329;
+                            phi_1161_ = _e373;
                         }
-                        let _e333 = phi_1110_;
-                        let _e340 = lt_math_LightPoint(vec2<f32>(_e255, _e215.uv.y), _e215.depth, _e215.is_inside);
-                        let _e347 = lt_math_LightPoint(vec2<f32>(_e340.uv.x, _e269), _e340.depth, _e340.is_inside);
-                        let _e351 = lt_math_LightPoint(_e347.uv, _e282, _e347.is_inside);
-                        let _e355 = lt_math_LightPoint(_e351.uv, _e351.depth, _e333);
-                        phi_1119_ = _e355;
-                        phi_1120_ = (_e217 + 1u);
-                        phi_1121_ = lt_math_LevelPoint(_e217, _e355);
-                        phi_1122_ = true;
+                        let _e377 = phi_1161_;
+                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
+                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
+                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
+                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
+                        phi_1170_ = _e399;
+                        phi_1171_ = (_e261 + 1u);
+                        phi_1172_ = lt_math_LevelPoint(_e261, _e399);
+                        phi_1173_ = true;
                     }
-                    let _e359 = phi_1119_;
-                    let _e361 = phi_1120_;
-                    let _e363 = phi_1121_;
-                    let _e365 = phi_1122_;
-                    phi_954_ = _e359;
-                    phi_957_ = _e361;
-                    phi_959_ = _e363;
-                    phi_1123_ = _e365;
+                    let _e403 = phi_1170_;
+                    let _e405 = phi_1171_;
+                    let _e407 = phi_1172_;
+                    let _e409 = phi_1173_;
+                    phi_1005_ = _e403;
+                    phi_1008_ = _e405;
+                    phi_1010_ = _e407;
+                    phi_1174_ = _e409;
                 } else {
-                    phi_954_ = lt_math_LightPoint();
-                    phi_957_ = u32();
-                    phi_959_ = lt_math_LevelPoint();
-                    phi_1123_ = false;
+                    phi_1005_ = lt_math_LightPoint();
+                    phi_1008_ = u32();
+                    phi_1010_ = lt_math_LevelPoint();
+                    phi_1174_ = false;
                 }
-                let _e367 = phi_954_;
-                let _e369 = phi_957_;
-                let _e371 = phi_959_;
-                let _e373 = phi_1123_;
+                let _e411 = phi_1005_;
+                let _e413 = phi_1008_;
+                let _e415 = phi_1010_;
+                let _e417 = phi_1174_;
                 continue;
                 continuing {
-                    phi_953_ = _e367;
-                    phi_956_ = _e369;
-                    phi_958_ = _e371;
-                    break if !(_e373);
+                    phi_1004_ = _e411;
+                    phi_1007_ = _e413;
+                    phi_1009_ = _e415;
+                    break if !(_e417);
                 }
             }
-            let _e376 = local_1;
-            if _e376.point.is_inside {
+            let _e420 = local_1;
+            if _e420.point.is_inside {
                 if (0f > 0f) {
-                    let _e382 = local_2;
-                    if (_e382.level < _e55) {
+                    let _e426 = local_2;
+                    if (_e426.level < _e56) {
                     } else {
                         return;
                     }
-                    let _e387 = levels.member[(0u + _e382.level)];
-                    let _e393 = global[0u];
-                    if (_e387.row_w.x == _e393) {
-                        let _e396 = global[1u];
-                        if (_e387.row_w.y == _e396) {
-                            let _e399 = global[2u];
-                            phi_1163_ = (_e387.row_w.z == _e399);
-                            phi_1164_ = false;
+                    let _e431 = levels.member[(0u + _e426.level)];
+                    let _e437 = global[0u];
+                    if (_e431.row_w.x == _e437) {
+                        let _e440 = global[1u];
+                        if (_e431.row_w.y == _e440) {
+                            let _e443 = global[2u];
+                            phi_1214_ = (_e431.row_w.z == _e443);
+                            phi_1215_ = false;
                         } else {
-                            phi_1163_ = bool();
-                            phi_1164_ = true;
+                            phi_1214_ = bool();
+                            phi_1215_ = true;
                         }
-                        let _e402 = phi_1163_;
-                        let _e404 = phi_1164_;
-                        phi_1165_ = _e402;
-                        phi_1166_ = _e404;
+                        let _e446 = phi_1214_;
+                        let _e448 = phi_1215_;
+                        phi_1216_ = _e446;
+                        phi_1217_ = _e448;
                     } else {
-                        phi_1165_ = bool();
-                        phi_1166_ = true;
+                        phi_1216_ = bool();
+                        phi_1217_ = true;
                     }
-                    let _e406 = phi_1165_;
-                    let _e408 = phi_1166_;
-                    if _e408 {
-                        phi_1170_ = false;
+                    let _e450 = phi_1216_;
+                    let _e452 = phi_1217_;
+                    if _e452 {
+                        phi_1221_ = false;
                     } else {
-                        phi_1170_ = _e406;
+                        phi_1221_ = _e450;
                     }
-                    let _e410 = phi_1170_;
-                    if _e410 {
-                        let _e412 = samples.member[(0u + _e61.first_primitive)].normal;
-                        let _e414 = p.member.map_size;
-                        let _e484 = ((abs(((((_e387.row_x.x * _e412.x) + (_e387.row_x.y * _e412.y)) + (_e387.row_x.z * _e412.z)) / (((_e387.row_x.x * _e387.row_x.x) + (_e387.row_x.y * _e387.row_x.y)) + (_e387.row_x.z * _e387.row_x.z)))) + abs(((((_e387.row_y.x * _e412.x) + (_e387.row_y.y * _e412.y)) + (_e387.row_y.z * _e412.z)) / (((_e387.row_y.x * _e387.row_y.x) + (_e387.row_y.y * _e387.row_y.y)) + (_e387.row_y.z * _e387.row_y.z))))) / (abs(((((_e387.row_z.x * _e412.x) + (_e387.row_z.y * _e412.y)) + (_e387.row_z.z * _e412.z)) / (((_e387.row_z.x * _e387.row_z.x) + (_e387.row_z.y * _e387.row_z.y)) + (_e387.row_z.z * _e387.row_z.z)))) * f32(_e414)));
-                        if (_e484 < 0.002f) {
-                            phi_1252_ = _e484;
+                    let _e454 = phi_1221_;
+                    if _e454 {
+                        let _e456 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e458 = p.member.map_size;
+                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
+                        if (_e528 < 0.002f) {
+                            phi_1303_ = _e528;
                         } else {
-                            phi_1252_ = 0.002f;
+                            phi_1303_ = 0.002f;
                         }
-                        let _e487 = phi_1252_;
-                        phi_1369_ = _e487;
+                        let _e531 = phi_1303_;
+                        phi_1422_ = _e531;
                     } else {
-                        let _e489 = p.member.map_size;
-                        let _e495 = samples.member[(0u + _e61.first_primitive)].position;
-                        let _e506 = ((((_e387.row_w.x * _e495.x) + (_e387.row_w.y * _e495.y)) + (_e387.row_w.z * _e495.z)) + _e387.row_w.w);
-                        let _e519 = ((_e387.row_x.x - (_e387.row_w.x * _e376.point.uv.x)) / _e506);
-                        let _e520 = ((_e387.row_x.y - (_e387.row_w.y * _e376.point.uv.x)) / _e506);
-                        let _e521 = ((_e387.row_x.z - (_e387.row_w.z * _e376.point.uv.x)) / _e506);
-                        let _e534 = ((_e387.row_y.x - (_e387.row_w.x * _e376.point.uv.y)) / _e506);
-                        let _e535 = ((_e387.row_y.y - (_e387.row_w.y * _e376.point.uv.y)) / _e506);
-                        let _e536 = ((_e387.row_y.z - (_e387.row_w.z * _e376.point.uv.y)) / _e506);
-                        let _e542 = samples.member[(0u + _e61.first_primitive)].normal;
-                        let _e547 = ((_e535 * _e542.z) - (_e542.y * _e536));
-                        let _e552 = ((_e536 * _e542.x) - (_e542.z * _e534));
-                        let _e557 = ((_e534 * _e542.y) - (_e542.x * _e535));
-                        let _e559 = samples.member[(0u + _e61.first_primitive)].normal;
-                        let _e564 = ((_e520 * _e559.z) - (_e559.y * _e521));
-                        let _e569 = ((_e521 * _e559.x) - (_e559.z * _e519));
-                        let _e574 = ((_e519 * _e559.y) - (_e559.x * _e520));
-                        let _e601 = ((abs(((((_e387.row_z.x * _e547) + (_e387.row_z.y * _e552)) + (_e387.row_z.z * _e557)) / (((_e519 * _e547) + (_e520 * _e552)) + (_e521 * _e557)))) + abs(((((_e387.row_z.x * _e564) + (_e387.row_z.y * _e569)) + (_e387.row_z.z * _e574)) / (((_e534 * _e564) + (_e535 * _e569)) + (_e536 * _e574))))) / f32(_e489));
-                        if (_e601 < 0.002f) {
-                            phi_1368_ = _e601;
+                        let _e533 = p.member.map_size;
+                        let _e539 = samples.member[(0u + _e62.first_primitive)].position;
+                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
+                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
+                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
+                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
+                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
+                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
+                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
+                        let _e586 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
+                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
+                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
+                        let _e603 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
+                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
+                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
+                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
+                        let _e647 = (16f / f32(_e533));
+                        if (_e645 < _e647) {
+                            phi_1421_ = _e645;
                         } else {
-                            phi_1368_ = 0.002f;
+                            phi_1421_ = _e647;
                         }
-                        let _e604 = phi_1368_;
-                        phi_1369_ = _e604;
+                        let _e650 = phi_1421_;
+                        phi_1422_ = _e650;
                     }
-                    let _e606 = phi_1369_;
-                    phi_1372_ = (_e376.point.depth - (0f * _e606));
+                    let _e652 = phi_1422_;
+                    phi_1425_ = (_e420.point.depth - (0f * _e652));
                 } else {
-                    phi_1372_ = _e376.point.depth;
+                    phi_1425_ = _e420.point.depth;
                 }
-                let _e610 = phi_1372_;
-                let _e616 = p.member.map_size;
-                let _e617 = f32(_e616);
-                let _e620 = ((_e376.point.uv.x * _e617) - 0.5f);
-                let _e621 = ((_e376.point.uv.y * _e617) - 0.5f);
-                if (_e620 > -8388608f) {
-                    let _e633 = f32(select(0i, select(select(i32(_e620), i32(-2147483648), (_e620 < bitcast<f32>(3472883712u))), 2147483647i, (_e620 > bitcast<f32>(1325400063u))), (_e620 == _e620)));
-                    if (_e633 > _e620) {
-                        phi_1401_ = 1f;
+                let _e656 = phi_1425_;
+                let _e662 = p.member.map_size;
+                let _e663 = f32(_e662);
+                let _e666 = ((_e420.point.uv.x * _e663) - 0.5f);
+                let _e667 = ((_e420.point.uv.y * _e663) - 0.5f);
+                if (_e666 > -8388608f) {
+                    let _e679 = f32(select(0i, select(select(i32(_e666), i32(-2147483648), (_e666 < bitcast<f32>(3472883712u))), 2147483647i, (_e666 > bitcast<f32>(1325400063u))), (_e666 == _e666)));
+                    if (_e679 > _e666) {
+                        phi_1454_ = 1f;
                     } else {
-                        phi_1401_ = 0f;
+                        phi_1454_ = 0f;
                     }
-                    let _e636 = phi_1401_;
-                    if (_e620 < 8388608f) {
-                        phi_1406_ = (_e633 - _e636);
-                        phi_1407_ = false;
+                    let _e682 = phi_1454_;
+                    if (_e666 < 8388608f) {
+                        phi_1459_ = (_e679 - _e682);
+                        phi_1460_ = false;
                     } else {
-                        phi_1406_ = f32();
-                        phi_1407_ = true;
+                        phi_1459_ = f32();
+                        phi_1460_ = true;
                     }
-                    let _e639 = phi_1406_;
-                    let _e641 = phi_1407_;
-                    phi_1408_ = _e639;
-                    phi_1409_ = _e641;
+                    let _e685 = phi_1459_;
+                    let _e687 = phi_1460_;
+                    phi_1461_ = _e685;
+                    phi_1462_ = _e687;
                 } else {
-                    phi_1408_ = f32();
-                    phi_1409_ = true;
+                    phi_1461_ = f32();
+                    phi_1462_ = true;
                 }
-                let _e643 = phi_1408_;
-                let _e645 = phi_1409_;
-                if _e645 {
-                    phi_1413_ = _e620;
+                let _e689 = phi_1461_;
+                let _e691 = phi_1462_;
+                if _e691 {
+                    phi_1466_ = _e666;
                 } else {
-                    phi_1413_ = _e643;
+                    phi_1466_ = _e689;
                 }
-                let _e647 = phi_1413_;
-                if (_e621 > -8388608f) {
-                    let _e659 = f32(select(0i, select(select(i32(_e621), i32(-2147483648), (_e621 < bitcast<f32>(3472883712u))), 2147483647i, (_e621 > bitcast<f32>(1325400063u))), (_e621 == _e621)));
-                    if (_e659 > _e621) {
-                        phi_1433_ = 1f;
+                let _e693 = phi_1466_;
+                if (_e667 > -8388608f) {
+                    let _e705 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
+                    if (_e705 > _e667) {
+                        phi_1486_ = 1f;
                     } else {
-                        phi_1433_ = 0f;
+                        phi_1486_ = 0f;
                     }
-                    let _e662 = phi_1433_;
-                    if (_e621 < 8388608f) {
-                        phi_1438_ = (_e659 - _e662);
-                        phi_1439_ = false;
+                    let _e708 = phi_1486_;
+                    if (_e667 < 8388608f) {
+                        phi_1491_ = (_e705 - _e708);
+                        phi_1492_ = false;
                     } else {
-                        phi_1438_ = f32();
-                        phi_1439_ = true;
+                        phi_1491_ = f32();
+                        phi_1492_ = true;
                     }
-                    let _e665 = phi_1438_;
-                    let _e667 = phi_1439_;
-                    phi_1440_ = _e665;
-                    phi_1441_ = _e667;
+                    let _e711 = phi_1491_;
+                    let _e713 = phi_1492_;
+                    phi_1493_ = _e711;
+                    phi_1494_ = _e713;
                 } else {
-                    phi_1440_ = f32();
-                    phi_1441_ = true;
+                    phi_1493_ = f32();
+                    phi_1494_ = true;
                 }
-                let _e669 = phi_1440_;
-                let _e671 = phi_1441_;
-                if _e671 {
-                    phi_1445_ = _e621;
-                } else {
-                    phi_1445_ = _e669;
-                }
-                let _e673 = phi_1445_;
-                let _e674 = (_e620 - _e647);
-                let _e675 = (_e621 - _e673);
-                let _e684 = select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < bitcast<f32>(3472883712u))), 2147483647i, (_e647 > bitcast<f32>(1325400063u))), (_e647 == _e647));
-                let _e693 = select(0i, select(select(i32(_e673), i32(-2147483648), (_e673 < bitcast<f32>(3472883712u))), 2147483647i, (_e673 > bitcast<f32>(1325400063u))), (_e673 == _e673));
-                let _e704 = p.member.test;
-                let _e705 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e704);
-                let _e707 = p.member.map_size;
-                let _e709 = local_3;
-                local = _e705;
-                let _e712 = ((_e709.level * _e707) * _e707);
-                let _e714 = (bitcast<i32>(_e707) - 1i);
-                if (_e684 > 0i) {
-                    phi_1494_ = _e684;
-                } else {
-                    phi_1494_ = 0i;
-                }
+                let _e715 = phi_1493_;
                 let _e717 = phi_1494_;
-                if (_e693 > 0i) {
-                    phi_1499_ = _e693;
+                if _e717 {
+                    phi_1498_ = _e667;
                 } else {
-                    phi_1499_ = 0i;
+                    phi_1498_ = _e715;
                 }
-                let _e720 = phi_1499_;
-                if (_e717 < _e714) {
-                    phi_1504_ = _e717;
-                } else {
-                    phi_1504_ = _e714;
-                }
-                let _e723 = phi_1504_;
-                if (_e720 < _e714) {
-                    phi_1509_ = _e720;
-                } else {
-                    phi_1509_ = _e714;
-                }
-                let _e726 = phi_1509_;
-                let _e727 = bitcast<u32>(_e723);
-                let _e729 = (_e684 + 1i);
-                let _e730 = (_e693 + 1i);
-                if (_e729 > 0i) {
-                    phi_1518_ = _e729;
-                } else {
-                    phi_1518_ = 0i;
-                }
-                let _e733 = phi_1518_;
+                let _e719 = phi_1498_;
+                let _e720 = (_e666 - _e693);
+                let _e721 = (_e667 - _e719);
+                let _e730 = select(0i, select(select(i32(_e693), i32(-2147483648), (_e693 < bitcast<f32>(3472883712u))), 2147483647i, (_e693 > bitcast<f32>(1325400063u))), (_e693 == _e693));
+                let _e739 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < bitcast<f32>(3472883712u))), 2147483647i, (_e719 > bitcast<f32>(1325400063u))), (_e719 == _e719));
+                let _e750 = p.member.test;
+                let _e751 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e750);
+                let _e753 = p.member.map_size;
+                let _e755 = local_3;
+                local = _e751;
+                let _e758 = ((_e755.level * _e753) * _e753);
+                let _e760 = (bitcast<i32>(_e753) - 1i);
                 if (_e730 > 0i) {
-                    phi_1523_ = _e730;
+                    phi_1547_ = _e730;
                 } else {
-                    phi_1523_ = 0i;
+                    phi_1547_ = 0i;
                 }
-                let _e736 = phi_1523_;
-                if (_e733 < _e714) {
-                    phi_1528_ = _e733;
+                let _e763 = phi_1547_;
+                if (_e739 > 0i) {
+                    phi_1552_ = _e739;
                 } else {
-                    phi_1528_ = _e714;
+                    phi_1552_ = 0i;
                 }
-                let _e739 = phi_1528_;
-                if (_e736 < _e714) {
-                    phi_1533_ = _e736;
+                let _e766 = phi_1552_;
+                if (_e763 < _e760) {
+                    phi_1557_ = _e763;
                 } else {
-                    phi_1533_ = _e714;
+                    phi_1557_ = _e760;
                 }
-                let _e742 = phi_1533_;
-                let _e743 = bitcast<u32>(_e739);
-                let _e745 = (bitcast<u32>(_e726) * _e707);
-                let _e746 = (bitcast<u32>(_e742) * _e707);
-                let _e751 = ((_e745 + _e727) + _e712);
-                let _e752 = ((_e745 + _e743) + _e712);
-                let _e753 = ((_e746 + _e727) + _e712);
-                let _e754 = ((_e746 + _e743) + _e712);
-                if (_e751 < _e49) {
+                let _e769 = phi_1557_;
+                if (_e766 < _e760) {
+                    phi_1562_ = _e766;
+                } else {
+                    phi_1562_ = _e760;
+                }
+                let _e772 = phi_1562_;
+                let _e773 = bitcast<u32>(_e769);
+                let _e775 = (_e730 + 1i);
+                let _e776 = (_e739 + 1i);
+                if (_e775 > 0i) {
+                    phi_1571_ = _e775;
+                } else {
+                    phi_1571_ = 0i;
+                }
+                let _e779 = phi_1571_;
+                if (_e776 > 0i) {
+                    phi_1576_ = _e776;
+                } else {
+                    phi_1576_ = 0i;
+                }
+                let _e782 = phi_1576_;
+                if (_e779 < _e760) {
+                    phi_1581_ = _e779;
+                } else {
+                    phi_1581_ = _e760;
+                }
+                let _e785 = phi_1581_;
+                if (_e782 < _e760) {
+                    phi_1586_ = _e782;
+                } else {
+                    phi_1586_ = _e760;
+                }
+                let _e788 = phi_1586_;
+                let _e789 = bitcast<u32>(_e785);
+                let _e791 = (bitcast<u32>(_e772) * _e753);
+                let _e792 = (bitcast<u32>(_e788) * _e753);
+                let _e797 = ((_e791 + _e773) + _e758);
+                let _e798 = ((_e791 + _e789) + _e758);
+                let _e799 = ((_e792 + _e773) + _e758);
+                let _e800 = ((_e792 + _e789) + _e758);
+                if (_e797 < _e50) {
                 } else {
                     return;
                 }
-                let _e758 = map.member[(0u + _e751)];
-                if (_e752 < _e49) {
+                let _e804 = map.member[(0u + _e797)];
+                if (_e798 < _e50) {
                 } else {
                     return;
                 }
-                let _e762 = map.member[(0u + _e752)];
-                if (_e753 < _e49) {
+                let _e808 = map.member[(0u + _e798)];
+                if (_e799 < _e50) {
                 } else {
                     return;
                 }
-                let _e766 = map.member[(0u + _e753)];
-                if (_e754 < _e49) {
+                let _e812 = map.member[(0u + _e799)];
+                if (_e800 < _e50) {
                 } else {
                     return;
                 }
-                let _e770 = map.member[(0u + _e754)];
-                let _e772 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e758, _e762, _e766, _e770), vec4<f32>(((1f - _e674) * (1f - _e675)), (_e674 * (1f - _e675)), ((1f - _e674) * _e675), (_e674 * _e675)), _e610);
-                let _e774 = p.member.epsilon;
-                if (_e772 <= _e774) {
-                    phi_1584_ = true;
+                let _e816 = map.member[(0u + _e800)];
+                let _e818 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e804, _e808, _e812, _e816), vec4<f32>(((1f - _e720) * (1f - _e721)), (_e720 * (1f - _e721)), ((1f - _e720) * _e721), (_e720 * _e721)), _e656);
+                let _e820 = p.member.epsilon;
+                if (_e818 <= _e820) {
+                    phi_1637_ = true;
                 } else {
-                    phi_1584_ = (_e772 >= (1f - _e774));
+                    phi_1637_ = (_e818 >= (1f - _e820));
                 }
-                let _e779 = phi_1584_;
-                if ((bitcast<u32>(_e772) & 2147483647u) > 2139095040u) {
-                    phi_1592_ = true;
+                let _e825 = phi_1637_;
+                if ((bitcast<u32>(_e818) & 2147483647u) > 2139095040u) {
+                    phi_1645_ = true;
                 } else {
-                    phi_1592_ = !(_e779);
+                    phi_1645_ = !(_e825);
                 }
-                let _e785 = phi_1592_;
-                if _e785 {
-                    if (_e772 > 0f) {
-                        if (_e772 < 1f) {
-                            phi_1604_ = false;
+                let _e831 = phi_1645_;
+                if _e831 {
+                    if (_e818 > 0f) {
+                        if (_e818 < 1f) {
+                            phi_1657_ = false;
                         } else {
-                            phi_1604_ = true;
+                            phi_1657_ = true;
                         }
-                        let _e789 = phi_1604_;
-                        phi_1605_ = _e789;
+                        let _e835 = phi_1657_;
+                        phi_1658_ = _e835;
                     } else {
-                        phi_1605_ = true;
+                        phi_1658_ = true;
                     }
-                    let _e791 = phi_1605_;
-                    if _e791 {
-                        phi_1609_ = 0.5f;
+                    let _e837 = phi_1658_;
+                    if _e837 {
+                        phi_1662_ = 0.5f;
                     } else {
-                        phi_1609_ = _e772;
+                        phi_1662_ = _e818;
                     }
-                    let _e793 = phi_1609_;
-                    phi_1617_ = evaluate_Verdict(_e793, true);
+                    let _e839 = phi_1662_;
+                    phi_1670_ = evaluate_Verdict(_e839, true);
                 } else {
-                    if (_e772 > 0.5f) {
-                        phi_1615_ = 1f;
+                    if (_e818 > 0.5f) {
+                        phi_1668_ = 1f;
                     } else {
-                        phi_1615_ = 0f;
+                        phi_1668_ = 0f;
                     }
-                    let _e797 = phi_1615_;
-                    phi_1617_ = evaluate_Verdict(_e797, false);
+                    let _e843 = phi_1668_;
+                    phi_1670_ = evaluate_Verdict(_e843, false);
                 }
-                let _e800 = phi_1617_;
-                phi_1622_ = evaluate_Verdict(_e800.visibility, _e800.is_doubted);
+                let _e846 = phi_1670_;
+                phi_1675_ = evaluate_Verdict(_e846.visibility, _e846.is_doubted);
             } else {
-                phi_1622_ = evaluate_Verdict(0.5f, true);
+                phi_1675_ = evaluate_Verdict(0.5f, true);
             }
-            let _e806 = phi_1622_;
-            phi_1623_ = _e806;
+            let _e852 = phi_1675_;
+            phi_1676_ = _e852;
         }
-        let _e808 = phi_1623_;
-        if (_e61.first_primitive < arrayLength((&visibility.member))) {
+        let _e854 = phi_1676_;
+        if (_e62.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e61.first_primitive)] = _e808.visibility;
+        visibility.member[(0u + _e62.first_primitive)] = _e854.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,18 +48,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_28 {
+struct type_30 {
     member: abi_ShadowParams,
 }
 
@@ -63,43 +72,43 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_28;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_126_: lt_bvh_traverse_Tree;
-    var phi_127_: bool;
-    var phi_128_: lt_bvh_traverse_Tree;
-    var phi_129_: bool;
-    var phi_134_: lt_bvh_traverse_Tree;
+    var phi_130_: lt_bvh_traverse_Tree;
+    var phi_131_: bool;
+    var phi_132_: lt_bvh_traverse_Tree;
+    var phi_133_: bool;
+    var phi_138_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_126_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_127_ = false;
+            phi_130_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_131_ = false;
         } else {
-            phi_126_ = lt_bvh_traverse_Tree();
-            phi_127_ = true;
+            phi_130_ = lt_bvh_traverse_Tree();
+            phi_131_ = true;
         }
-        let _e46 = phi_126_;
-        let _e48 = phi_127_;
-        phi_128_ = _e46;
-        phi_129_ = _e48;
+        let _e46 = phi_130_;
+        let _e48 = phi_131_;
+        phi_132_ = _e46;
+        phi_133_ = _e48;
     } else {
-        phi_128_ = lt_bvh_traverse_Tree();
-        phi_129_ = true;
+        phi_132_ = lt_bvh_traverse_Tree();
+        phi_133_ = true;
     }
-    let _e50 = phi_128_;
-    let _e52 = phi_129_;
+    let _e50 = phi_132_;
+    let _e52 = phi_133_;
     if _e52 {
-        phi_134_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_138_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_134_ = _e50;
+        phi_138_ = _e50;
     }
-    let _e57 = phi_134_;
+    let _e57 = phi_138_;
     return lt_bvh_traverse_Tree(_e57.root, _e57.first_primitive);
 }
 
@@ -108,119 +117,119 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_160_: f32;
-    var phi_161_: f32;
-    var phi_162_: f32;
-    var phi_178_: f32;
-    var phi_179_: f32;
-    var phi_180_: f32;
-    var phi_196_: f32;
-    var phi_197_: f32;
-    var phi_198_: f32;
-    var phi_214_: f32;
-    var phi_215_: f32;
-    var phi_216_: f32;
-    var phi_232_: f32;
-    var phi_233_: f32;
-    var phi_234_: f32;
-    var phi_280_: bool;
-    var phi_284_: f32;
-    var phi_296_: bool;
-    var phi_303_: f32;
-    var phi_318_: f32;
-    var phi_319_: f32;
-    var phi_320_: f32;
+    var phi_164_: f32;
+    var phi_165_: f32;
+    var phi_166_: f32;
+    var phi_182_: f32;
+    var phi_183_: f32;
+    var phi_184_: f32;
+    var phi_200_: f32;
+    var phi_201_: f32;
+    var phi_202_: f32;
+    var phi_218_: f32;
+    var phi_219_: f32;
+    var phi_220_: f32;
+    var phi_236_: f32;
+    var phi_237_: f32;
+    var phi_238_: f32;
+    var phi_284_: bool;
+    var phi_288_: f32;
+    var phi_300_: bool;
+    var phi_307_: f32;
+    var phi_322_: f32;
+    var phi_323_: f32;
+    var phi_324_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_162_ = param_7;
+        phi_166_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_161_ = 0f;
+            phi_165_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_160_ = 1f;
+                phi_164_ = 1f;
             } else {
-                phi_160_ = param_7;
+                phi_164_ = param_7;
             }
-            let _e43 = phi_160_;
-            phi_161_ = _e43;
+            let _e43 = phi_164_;
+            phi_165_ = _e43;
         }
-        let _e45 = phi_161_;
-        phi_162_ = _e45;
+        let _e45 = phi_165_;
+        phi_166_ = _e45;
     }
-    let _e47 = phi_162_;
+    let _e47 = phi_166_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_180_ = param_5.x;
+        phi_184_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_179_ = 0f;
+            phi_183_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_178_ = 1f;
+                phi_182_ = 1f;
             } else {
-                phi_178_ = param_5.x;
+                phi_182_ = param_5.x;
             }
-            let _e55 = phi_178_;
-            phi_179_ = _e55;
+            let _e55 = phi_182_;
+            phi_183_ = _e55;
         }
-        let _e57 = phi_179_;
-        phi_180_ = _e57;
+        let _e57 = phi_183_;
+        phi_184_ = _e57;
     }
-    let _e59 = phi_180_;
+    let _e59 = phi_184_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_198_ = param_5.y;
+        phi_202_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_197_ = 0f;
+            phi_201_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_196_ = 1f;
+                phi_200_ = 1f;
             } else {
-                phi_196_ = param_5.y;
+                phi_200_ = param_5.y;
             }
-            let _e67 = phi_196_;
-            phi_197_ = _e67;
+            let _e67 = phi_200_;
+            phi_201_ = _e67;
         }
-        let _e69 = phi_197_;
-        phi_198_ = _e69;
+        let _e69 = phi_201_;
+        phi_202_ = _e69;
     }
-    let _e71 = phi_198_;
+    let _e71 = phi_202_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_216_ = param_5.z;
+        phi_220_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_215_ = 0f;
+            phi_219_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_214_ = 1f;
+                phi_218_ = 1f;
             } else {
-                phi_214_ = param_5.z;
+                phi_218_ = param_5.z;
             }
-            let _e79 = phi_214_;
-            phi_215_ = _e79;
+            let _e79 = phi_218_;
+            phi_219_ = _e79;
         }
-        let _e81 = phi_215_;
-        phi_216_ = _e81;
+        let _e81 = phi_219_;
+        phi_220_ = _e81;
     }
-    let _e83 = phi_216_;
+    let _e83 = phi_220_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_234_ = param_5.w;
+        phi_238_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_233_ = 0f;
+            phi_237_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_232_ = 1f;
+                phi_236_ = 1f;
             } else {
-                phi_232_ = param_5.w;
+                phi_236_ = param_5.w;
             }
-            let _e91 = phi_232_;
-            phi_233_ = _e91;
+            let _e91 = phi_236_;
+            phi_237_ = _e91;
         }
-        let _e93 = phi_233_;
-        phi_234_ = _e93;
+        let _e93 = phi_237_;
+        phi_238_ = _e93;
     }
-    let _e95 = phi_234_;
+    let _e95 = phi_238_;
     let _e96 = (_e59 - _e47);
     let _e97 = (_e71 - _e47);
     let _e98 = (_e83 - _e47);
@@ -233,107 +242,113 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_
     let _e115 = (_e99 - _e111);
     let _e130 = (((((_e112 * _e112) * param_6.x) + ((_e113 * _e113) * param_6.y)) + ((_e114 * _e114) * param_6.z)) + ((_e115 * _e115) * param_6.w));
     if ((bitcast<u32>(_e100) & 2147483647u) > 2139095040u) {
-        phi_280_ = true;
+        phi_284_ = true;
     } else {
         let _e134 = (_e100 > _e130);
         if _e134 {
         }
-        phi_280_ = _e134;
+        phi_284_ = _e134;
     }
-    let _e136 = phi_280_;
+    let _e136 = phi_284_;
     if _e136 {
-        phi_284_ = _e100;
+        phi_288_ = _e100;
     } else {
-        phi_284_ = _e130;
+        phi_288_ = _e130;
     }
-    let _e138 = phi_284_;
+    let _e138 = phi_288_;
     let _e139 = -(_e111);
     if (_e139 <= 0f) {
         let _e143 = ((bitcast<u32>(_e138) & 2147483647u) > 2139095040u);
         if _e143 {
         }
-        phi_296_ = _e143;
+        phi_300_ = _e143;
     } else {
-        phi_296_ = true;
+        phi_300_ = true;
     }
-    let _e145 = phi_296_;
+    let _e145 = phi_300_;
     if _e145 {
-        phi_303_ = (_e138 / (_e138 + (_e139 * _e139)));
+        phi_307_ = (_e138 / (_e138 + (_e139 * _e139)));
     } else {
-        phi_303_ = 1f;
+        phi_307_ = 1f;
     }
-    let _e150 = phi_303_;
+    let _e150 = phi_307_;
     if ((bitcast<u32>(_e150) & 2147483647u) > 2139095040u) {
-        phi_320_ = _e150;
+        phi_324_ = _e150;
     } else {
         if (_e150 < 0f) {
-            phi_319_ = 0f;
+            phi_323_ = 0f;
         } else {
             if (_e150 > 1f) {
-                phi_318_ = 1f;
+                phi_322_ = 1f;
             } else {
-                phi_318_ = _e150;
+                phi_322_ = _e150;
             }
-            let _e157 = phi_318_;
-            phi_319_ = _e157;
+            let _e157 = phi_322_;
+            phi_323_ = _e157;
         }
-        let _e159 = phi_319_;
-        phi_320_ = _e159;
+        let _e159 = phi_323_;
+        phi_324_ = _e159;
     }
-    let _e161 = phi_320_;
+    let _e161 = phi_324_;
     return _e161;
 }
 
 fn function_() {
     var local: f32;
-    var phi_377_: bool;
-    var phi_378_: bool;
-    var phi_379_: bool;
     var phi_380_: bool;
-    var phi_384_: bool;
-    var phi_428_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_432_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_506_: bool;
-    var phi_515_: bool;
-    var phi_524_: bool;
-    var phi_525_: bool;
-    var phi_526_: bool;
-    var phi_527_: bool;
-    var phi_528_: bool;
-    var phi_529_: bool;
-    var phi_530_: bool;
-    var phi_534_: bool;
-    var phi_624_: f32;
-    var phi_627_: f32;
-    var phi_656_: f32;
-    var phi_661_: f32;
-    var phi_662_: bool;
-    var phi_663_: f32;
-    var phi_664_: bool;
-    var phi_668_: f32;
-    var phi_688_: f32;
-    var phi_693_: f32;
-    var phi_694_: bool;
-    var phi_695_: f32;
-    var phi_696_: bool;
-    var phi_700_: f32;
-    var phi_748_: i32;
-    var phi_753_: i32;
-    var phi_758_: i32;
-    var phi_763_: i32;
-    var phi_772_: i32;
-    var phi_777_: i32;
-    var phi_782_: i32;
-    var phi_787_: i32;
-    var phi_838_: bool;
-    var phi_846_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_863_: f32;
-    var phi_869_: f32;
-    var phi_871_: evaluate_Verdict;
-    var phi_876_: evaluate_Verdict;
-    var phi_877_: evaluate_Verdict;
+    var phi_381_: bool;
+    var phi_382_: bool;
+    var phi_383_: bool;
+    var phi_387_: bool;
+    var phi_457_: bool;
+    var phi_458_: bool;
+    var phi_469_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_470_: bool;
+    var phi_471_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_472_: bool;
+    var phi_479_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_483_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_557_: bool;
+    var phi_566_: bool;
+    var phi_575_: bool;
+    var phi_576_: bool;
+    var phi_577_: bool;
+    var phi_578_: bool;
+    var phi_579_: bool;
+    var phi_580_: bool;
+    var phi_581_: bool;
+    var phi_585_: bool;
+    var phi_675_: f32;
+    var phi_678_: f32;
+    var phi_707_: f32;
+    var phi_712_: f32;
+    var phi_713_: bool;
+    var phi_714_: f32;
+    var phi_715_: bool;
+    var phi_719_: f32;
+    var phi_739_: f32;
+    var phi_744_: f32;
+    var phi_745_: bool;
+    var phi_746_: f32;
+    var phi_747_: bool;
+    var phi_751_: f32;
+    var phi_799_: i32;
+    var phi_804_: i32;
+    var phi_809_: i32;
+    var phi_814_: i32;
+    var phi_823_: i32;
+    var phi_828_: i32;
+    var phi_833_: i32;
+    var phi_838_: i32;
+    var phi_889_: bool;
+    var phi_897_: bool;
+    var phi_909_: bool;
+    var phi_910_: bool;
+    var phi_914_: f32;
+    var phi_920_: f32;
+    var phi_922_: evaluate_Verdict;
+    var phi_927_: evaluate_Verdict;
+    var phi_928_: evaluate_Verdict;
 
     let _e34 = id_1;
     let _e41 = arrayLength((&map.member));
@@ -347,344 +362,383 @@ fn function_() {
             return;
         }
         let _e60 = lt_math_OneLevel(_e56);
-        let _e62 = p.member.light;
-        let _e65 = samples.member[(0u + _e50.first_primitive)].normal[0u];
-        let _e67 = global[0u];
-        if (_e65 == _e67) {
-            let _e70 = samples.member[(0u + _e50.first_primitive)].normal[1u];
-            let _e72 = global[1u];
-            if (_e70 == _e72) {
-                let _e75 = samples.member[(0u + _e50.first_primitive)].normal[2u];
-                let _e77 = global[2u];
-                phi_377_ = (_e75 == _e77);
-                phi_378_ = false;
+        let _e64 = samples.member[(0u + _e50.first_primitive)].normal[0u];
+        let _e66 = global[0u];
+        if (_e64 == _e66) {
+            let _e69 = samples.member[(0u + _e50.first_primitive)].normal[1u];
+            let _e71 = global[1u];
+            if (_e69 == _e71) {
+                let _e74 = samples.member[(0u + _e50.first_primitive)].normal[2u];
+                let _e76 = global[2u];
+                phi_380_ = (_e74 == _e76);
+                phi_381_ = false;
             } else {
-                phi_377_ = bool();
-                phi_378_ = true;
+                phi_380_ = bool();
+                phi_381_ = true;
             }
-            let _e80 = phi_377_;
-            let _e82 = phi_378_;
-            phi_379_ = _e80;
-            phi_380_ = _e82;
+            let _e79 = phi_380_;
+            let _e81 = phi_381_;
+            phi_382_ = _e79;
+            phi_383_ = _e81;
         } else {
-            phi_379_ = bool();
-            phi_380_ = true;
+            phi_382_ = bool();
+            phi_383_ = true;
         }
-        let _e84 = phi_379_;
-        let _e86 = phi_380_;
-        if _e86 {
-            phi_384_ = false;
+        let _e83 = phi_382_;
+        let _e85 = phi_383_;
+        if _e85 {
+            phi_387_ = false;
         } else {
-            phi_384_ = _e84;
+            phi_387_ = _e83;
         }
-        let _e88 = phi_384_;
-        if !(_e88) {
-            let _e91 = samples.member[(0u + _e50.first_primitive)].normal;
-            let _e93 = samples.member[(0u + _e50.first_primitive)].position;
-            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
-                let _e117 = samples.member[(0u + _e50.first_primitive)].flags;
-                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-                phi_428_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
-            } else {
-                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
-                phi_428_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
-            }
-            let _e151 = phi_428_;
-            phi_432_ = _e151;
-        } else {
-            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
-            phi_432_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
-        }
-        let _e168 = phi_432_;
-        if _e168.unnamed_1 {
-            phi_877_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
-        } else {
-            let _e176 = samples.member[(0u + _e50.first_primitive)].position;
-            let _e194 = ((((_e60.projection.row_w.x * _e176.x) + (_e60.projection.row_w.y * _e176.y)) + (_e60.projection.row_w.z * _e176.z)) + (_e60.projection.row_w.w * 1f));
-            let _e208 = (((((_e60.projection.row_x.x * _e176.x) + (_e60.projection.row_x.y * _e176.y)) + (_e60.projection.row_x.z * _e176.z)) + (_e60.projection.row_x.w * 1f)) / _e194);
-            let _e222 = (((((_e60.projection.row_y.x * _e176.x) + (_e60.projection.row_y.y * _e176.y)) + (_e60.projection.row_y.z * _e176.z)) + (_e60.projection.row_y.w * 1f)) / _e194);
-            let _e235 = ((((_e60.projection.row_z.x * _e176.x) + (_e60.projection.row_z.y * _e176.y)) + (_e60.projection.row_z.z * _e176.z)) + (_e60.projection.row_z.w * 1f));
-            if (_e194 > 0f) {
-                if (_e208 >= 0f) {
-                    phi_506_ = (_e208 <= 1f);
+        let _e87 = phi_387_;
+        if !(_e87) {
+            let _e90 = samples.member[(0u + _e50.first_primitive)].position;
+            let _e92 = p.member.light.place;
+            let _e98 = p.member.light.place[3u];
+            let _e105 = (_e92.x - (_e90.x * _e98));
+            let _e106 = (_e92.y - (_e90.y * _e98));
+            let _e107 = (_e92.z - (_e90.z * _e98));
+            let _e109 = samples.member[(0u + _e50.first_primitive)].normal;
+            if ((((_e109.x * _e105) + (_e109.y * _e106)) + (_e109.z * _e107)) > 0f) {
+                let _e123 = (((_e105 * _e105) + (_e106 * _e106)) + (_e107 * _e107));
+                let _e125 = p.member.light.axis;
+                let _e137 = p.member.light.place[3u];
+                if (_e137 == 0f) {
+                    phi_458_ = true;
                 } else {
-                    phi_506_ = false;
-                }
-                let _e240 = phi_506_;
-                if _e240 {
-                    if (_e222 >= 0f) {
-                        phi_515_ = (_e222 <= 1f);
+                    let _e140 = p.member.light.range_squared;
+                    if (_e123 <= _e140) {
+                        let _e143 = p.member.light.cos_outer;
+                        phi_457_ = (-((((_e105 * _e125.x) + (_e106 * _e125.y)) + (_e107 * _e125.z))) >= (_e143 * sqrt(_e123)));
                     } else {
-                        phi_515_ = false;
+                        phi_457_ = false;
                     }
-                    let _e244 = phi_515_;
-                    if _e244 {
-                        if (_e235 >= 0f) {
-                            phi_524_ = (_e235 <= 1f);
+                    let _e148 = phi_457_;
+                    phi_458_ = _e148;
+                }
+                let _e150 = phi_458_;
+                if _e150 {
+                    let _e152 = samples.member[(0u + _e50.first_primitive)].flags;
+                    let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
+                    phi_469_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, ((_e152 & 1u) == 0u));
+                    phi_470_ = false;
+                } else {
+                    phi_469_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_470_ = true;
+                }
+                let _e171 = phi_469_;
+                let _e173 = phi_470_;
+                phi_471_ = _e171;
+                phi_472_ = _e173;
+            } else {
+                phi_471_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_472_ = true;
+            }
+            let _e175 = phi_471_;
+            let _e177 = phi_472_;
+            if _e177 {
+                let _e183 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e189 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e183.unnamed.visibility, false), _e183.unnamed_1);
+                phi_479_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e189.unnamed, true);
+            } else {
+                phi_479_ = _e175;
+            }
+            let _e194 = phi_479_;
+            phi_483_ = _e194;
+        } else {
+            let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e200.unnamed.visibility, false), _e200.unnamed_1);
+            phi_483_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e206.unnamed, true);
+        }
+        let _e211 = phi_483_;
+        if _e211.unnamed_1 {
+            phi_928_ = evaluate_Verdict(_e211.unnamed.visibility, _e211.unnamed.is_doubted);
+        } else {
+            let _e219 = samples.member[(0u + _e50.first_primitive)].position;
+            let _e237 = ((((_e60.projection.row_w.x * _e219.x) + (_e60.projection.row_w.y * _e219.y)) + (_e60.projection.row_w.z * _e219.z)) + (_e60.projection.row_w.w * 1f));
+            let _e251 = (((((_e60.projection.row_x.x * _e219.x) + (_e60.projection.row_x.y * _e219.y)) + (_e60.projection.row_x.z * _e219.z)) + (_e60.projection.row_x.w * 1f)) / _e237);
+            let _e265 = (((((_e60.projection.row_y.x * _e219.x) + (_e60.projection.row_y.y * _e219.y)) + (_e60.projection.row_y.z * _e219.z)) + (_e60.projection.row_y.w * 1f)) / _e237);
+            let _e278 = ((((_e60.projection.row_z.x * _e219.x) + (_e60.projection.row_z.y * _e219.y)) + (_e60.projection.row_z.z * _e219.z)) + (_e60.projection.row_z.w * 1f));
+            if (_e237 > 0f) {
+                if (_e251 >= 0f) {
+                    phi_557_ = (_e251 <= 1f);
+                } else {
+                    phi_557_ = false;
+                }
+                let _e283 = phi_557_;
+                if _e283 {
+                    if (_e265 >= 0f) {
+                        phi_566_ = (_e265 <= 1f);
+                    } else {
+                        phi_566_ = false;
+                    }
+                    let _e287 = phi_566_;
+                    if _e287 {
+                        if (_e278 >= 0f) {
+                            phi_575_ = (_e278 <= 1f);
                         } else {
-                            phi_524_ = false;
+                            phi_575_ = false;
                         }
-                        let _e248 = phi_524_;
-                        phi_525_ = _e248;
-                        phi_526_ = false;
+                        let _e291 = phi_575_;
+                        phi_576_ = _e291;
+                        phi_577_ = false;
                     } else {
-                        phi_525_ = bool();
-                        phi_526_ = true;
+                        phi_576_ = bool();
+                        phi_577_ = true;
                     }
-                    let _e250 = phi_525_;
-                    let _e252 = phi_526_;
-                    phi_527_ = _e250;
-                    phi_528_ = _e252;
+                    let _e293 = phi_576_;
+                    let _e295 = phi_577_;
+                    phi_578_ = _e293;
+                    phi_579_ = _e295;
                 } else {
-                    phi_527_ = bool();
-                    phi_528_ = true;
+                    phi_578_ = bool();
+                    phi_579_ = true;
                 }
-                let _e254 = phi_527_;
-                let _e256 = phi_528_;
-                phi_529_ = _e254;
-                phi_530_ = _e256;
+                let _e297 = phi_578_;
+                let _e299 = phi_579_;
+                phi_580_ = _e297;
+                phi_581_ = _e299;
             } else {
-                phi_529_ = bool();
-                phi_530_ = true;
+                phi_580_ = bool();
+                phi_581_ = true;
             }
-            let _e258 = phi_529_;
-            let _e260 = phi_530_;
-            if _e260 {
-                phi_534_ = false;
+            let _e301 = phi_580_;
+            let _e303 = phi_581_;
+            if _e303 {
+                phi_585_ = false;
             } else {
-                phi_534_ = _e258;
+                phi_585_ = _e301;
             }
-            let _e262 = phi_534_;
-            if _e262 {
+            let _e305 = phi_585_;
+            if _e305 {
                 if (0f > 0f) {
-                    let _e265 = samples.member[(0u + _e50.first_primitive)].normal;
-                    let _e267 = p.member.map_size;
-                    let _e337 = ((abs(((((_e56.row_x.x * _e265.x) + (_e56.row_x.y * _e265.y)) + (_e56.row_x.z * _e265.z)) / (((_e56.row_x.x * _e56.row_x.x) + (_e56.row_x.y * _e56.row_x.y)) + (_e56.row_x.z * _e56.row_x.z)))) + abs(((((_e56.row_y.x * _e265.x) + (_e56.row_y.y * _e265.y)) + (_e56.row_y.z * _e265.z)) / (((_e56.row_y.x * _e56.row_y.x) + (_e56.row_y.y * _e56.row_y.y)) + (_e56.row_y.z * _e56.row_y.z))))) / (abs(((((_e56.row_z.x * _e265.x) + (_e56.row_z.y * _e265.y)) + (_e56.row_z.z * _e265.z)) / (((_e56.row_z.x * _e56.row_z.x) + (_e56.row_z.y * _e56.row_z.y)) + (_e56.row_z.z * _e56.row_z.z)))) * f32(_e267)));
-                    if (_e337 < 0.002f) {
-                        phi_624_ = _e337;
+                    let _e308 = samples.member[(0u + _e50.first_primitive)].normal;
+                    let _e310 = p.member.map_size;
+                    let _e380 = ((abs(((((_e56.row_x.x * _e308.x) + (_e56.row_x.y * _e308.y)) + (_e56.row_x.z * _e308.z)) / (((_e56.row_x.x * _e56.row_x.x) + (_e56.row_x.y * _e56.row_x.y)) + (_e56.row_x.z * _e56.row_x.z)))) + abs(((((_e56.row_y.x * _e308.x) + (_e56.row_y.y * _e308.y)) + (_e56.row_y.z * _e308.z)) / (((_e56.row_y.x * _e56.row_y.x) + (_e56.row_y.y * _e56.row_y.y)) + (_e56.row_y.z * _e56.row_y.z))))) / (abs(((((_e56.row_z.x * _e308.x) + (_e56.row_z.y * _e308.y)) + (_e56.row_z.z * _e308.z)) / (((_e56.row_z.x * _e56.row_z.x) + (_e56.row_z.y * _e56.row_z.y)) + (_e56.row_z.z * _e56.row_z.z)))) * f32(_e310)));
+                    if (_e380 < 0.002f) {
+                        phi_675_ = _e380;
                     } else {
-                        phi_624_ = 0.002f;
+                        phi_675_ = 0.002f;
                     }
-                    let _e340 = phi_624_;
-                    phi_627_ = (_e235 - (0f * _e340));
+                    let _e383 = phi_675_;
+                    phi_678_ = (_e278 - (0f * _e383));
                 } else {
-                    phi_627_ = _e235;
+                    phi_678_ = _e278;
                 }
-                let _e344 = phi_627_;
-                let _e346 = p.member.map_size;
-                let _e347 = f32(_e346);
-                let _e350 = ((_e208 * _e347) - 0.5f);
-                let _e351 = ((_e222 * _e347) - 0.5f);
-                if (_e350 > -8388608f) {
-                    let _e363 = f32(select(0i, select(select(i32(_e350), i32(-2147483648), (_e350 < bitcast<f32>(3472883712u))), 2147483647i, (_e350 > bitcast<f32>(1325400063u))), (_e350 == _e350)));
-                    if (_e363 > _e350) {
-                        phi_656_ = 1f;
+                let _e387 = phi_678_;
+                let _e389 = p.member.map_size;
+                let _e390 = f32(_e389);
+                let _e393 = ((_e251 * _e390) - 0.5f);
+                let _e394 = ((_e265 * _e390) - 0.5f);
+                if (_e393 > -8388608f) {
+                    let _e406 = f32(select(0i, select(select(i32(_e393), i32(-2147483648), (_e393 < bitcast<f32>(3472883712u))), 2147483647i, (_e393 > bitcast<f32>(1325400063u))), (_e393 == _e393)));
+                    if (_e406 > _e393) {
+                        phi_707_ = 1f;
                     } else {
-                        phi_656_ = 0f;
+                        phi_707_ = 0f;
                     }
-                    let _e366 = phi_656_;
-                    if (_e350 < 8388608f) {
-                        phi_661_ = (_e363 - _e366);
-                        phi_662_ = false;
+                    let _e409 = phi_707_;
+                    if (_e393 < 8388608f) {
+                        phi_712_ = (_e406 - _e409);
+                        phi_713_ = false;
                     } else {
-                        phi_661_ = f32();
-                        phi_662_ = true;
+                        phi_712_ = f32();
+                        phi_713_ = true;
                     }
-                    let _e369 = phi_661_;
-                    let _e371 = phi_662_;
-                    phi_663_ = _e369;
-                    phi_664_ = _e371;
+                    let _e412 = phi_712_;
+                    let _e414 = phi_713_;
+                    phi_714_ = _e412;
+                    phi_715_ = _e414;
                 } else {
-                    phi_663_ = f32();
-                    phi_664_ = true;
+                    phi_714_ = f32();
+                    phi_715_ = true;
                 }
-                let _e373 = phi_663_;
-                let _e375 = phi_664_;
-                if _e375 {
-                    phi_668_ = _e350;
+                let _e416 = phi_714_;
+                let _e418 = phi_715_;
+                if _e418 {
+                    phi_719_ = _e393;
                 } else {
-                    phi_668_ = _e373;
+                    phi_719_ = _e416;
                 }
-                let _e377 = phi_668_;
-                if (_e351 > -8388608f) {
-                    let _e389 = f32(select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < bitcast<f32>(3472883712u))), 2147483647i, (_e351 > bitcast<f32>(1325400063u))), (_e351 == _e351)));
-                    if (_e389 > _e351) {
-                        phi_688_ = 1f;
+                let _e420 = phi_719_;
+                if (_e394 > -8388608f) {
+                    let _e432 = f32(select(0i, select(select(i32(_e394), i32(-2147483648), (_e394 < bitcast<f32>(3472883712u))), 2147483647i, (_e394 > bitcast<f32>(1325400063u))), (_e394 == _e394)));
+                    if (_e432 > _e394) {
+                        phi_739_ = 1f;
                     } else {
-                        phi_688_ = 0f;
+                        phi_739_ = 0f;
                     }
-                    let _e392 = phi_688_;
-                    if (_e351 < 8388608f) {
-                        phi_693_ = (_e389 - _e392);
-                        phi_694_ = false;
+                    let _e435 = phi_739_;
+                    if (_e394 < 8388608f) {
+                        phi_744_ = (_e432 - _e435);
+                        phi_745_ = false;
                     } else {
-                        phi_693_ = f32();
-                        phi_694_ = true;
+                        phi_744_ = f32();
+                        phi_745_ = true;
                     }
-                    let _e395 = phi_693_;
-                    let _e397 = phi_694_;
-                    phi_695_ = _e395;
-                    phi_696_ = _e397;
+                    let _e438 = phi_744_;
+                    let _e440 = phi_745_;
+                    phi_746_ = _e438;
+                    phi_747_ = _e440;
                 } else {
-                    phi_695_ = f32();
-                    phi_696_ = true;
+                    phi_746_ = f32();
+                    phi_747_ = true;
                 }
-                let _e399 = phi_695_;
-                let _e401 = phi_696_;
-                if _e401 {
-                    phi_700_ = _e351;
+                let _e442 = phi_746_;
+                let _e444 = phi_747_;
+                if _e444 {
+                    phi_751_ = _e394;
                 } else {
-                    phi_700_ = _e399;
+                    phi_751_ = _e442;
                 }
-                let _e403 = phi_700_;
-                let _e404 = (_e350 - _e377);
-                let _e405 = (_e351 - _e403);
-                let _e414 = select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377));
-                let _e423 = select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < bitcast<f32>(3472883712u))), 2147483647i, (_e403 > bitcast<f32>(1325400063u))), (_e403 == _e403));
-                let _e434 = p.member.test;
-                let _e435 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e434);
-                let _e437 = p.member.map_size;
-                local = _e435;
-                let _e439 = ((0u * _e437) * _e437);
-                let _e441 = (bitcast<i32>(_e437) - 1i);
-                if (_e414 > 0i) {
-                    phi_748_ = _e414;
-                } else {
-                    phi_748_ = 0i;
-                }
-                let _e444 = phi_748_;
-                if (_e423 > 0i) {
-                    phi_753_ = _e423;
-                } else {
-                    phi_753_ = 0i;
-                }
-                let _e447 = phi_753_;
-                if (_e444 < _e441) {
-                    phi_758_ = _e444;
-                } else {
-                    phi_758_ = _e441;
-                }
-                let _e450 = phi_758_;
-                if (_e447 < _e441) {
-                    phi_763_ = _e447;
-                } else {
-                    phi_763_ = _e441;
-                }
-                let _e453 = phi_763_;
-                let _e454 = bitcast<u32>(_e450);
-                let _e456 = (_e414 + 1i);
-                let _e457 = (_e423 + 1i);
-                if (_e456 > 0i) {
-                    phi_772_ = _e456;
-                } else {
-                    phi_772_ = 0i;
-                }
-                let _e460 = phi_772_;
+                let _e446 = phi_751_;
+                let _e447 = (_e393 - _e420);
+                let _e448 = (_e394 - _e446);
+                let _e457 = select(0i, select(select(i32(_e420), i32(-2147483648), (_e420 < bitcast<f32>(3472883712u))), 2147483647i, (_e420 > bitcast<f32>(1325400063u))), (_e420 == _e420));
+                let _e466 = select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < bitcast<f32>(3472883712u))), 2147483647i, (_e446 > bitcast<f32>(1325400063u))), (_e446 == _e446));
+                let _e477 = p.member.test;
+                let _e478 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e477);
+                let _e480 = p.member.map_size;
+                local = _e478;
+                let _e482 = ((0u * _e480) * _e480);
+                let _e484 = (bitcast<i32>(_e480) - 1i);
                 if (_e457 > 0i) {
-                    phi_777_ = _e457;
+                    phi_799_ = _e457;
                 } else {
-                    phi_777_ = 0i;
+                    phi_799_ = 0i;
                 }
-                let _e463 = phi_777_;
-                if (_e460 < _e441) {
-                    phi_782_ = _e460;
+                let _e487 = phi_799_;
+                if (_e466 > 0i) {
+                    phi_804_ = _e466;
                 } else {
-                    phi_782_ = _e441;
+                    phi_804_ = 0i;
                 }
-                let _e466 = phi_782_;
-                if (_e463 < _e441) {
-                    phi_787_ = _e463;
+                let _e490 = phi_804_;
+                if (_e487 < _e484) {
+                    phi_809_ = _e487;
                 } else {
-                    phi_787_ = _e441;
+                    phi_809_ = _e484;
                 }
-                let _e469 = phi_787_;
-                let _e470 = bitcast<u32>(_e466);
-                let _e472 = (bitcast<u32>(_e453) * _e437);
-                let _e473 = (bitcast<u32>(_e469) * _e437);
-                let _e478 = ((_e472 + _e454) + _e439);
-                let _e479 = ((_e472 + _e470) + _e439);
-                let _e480 = ((_e473 + _e454) + _e439);
-                let _e481 = ((_e473 + _e470) + _e439);
-                if (_e478 < _e41) {
+                let _e493 = phi_809_;
+                if (_e490 < _e484) {
+                    phi_814_ = _e490;
+                } else {
+                    phi_814_ = _e484;
+                }
+                let _e496 = phi_814_;
+                let _e497 = bitcast<u32>(_e493);
+                let _e499 = (_e457 + 1i);
+                let _e500 = (_e466 + 1i);
+                if (_e499 > 0i) {
+                    phi_823_ = _e499;
+                } else {
+                    phi_823_ = 0i;
+                }
+                let _e503 = phi_823_;
+                if (_e500 > 0i) {
+                    phi_828_ = _e500;
+                } else {
+                    phi_828_ = 0i;
+                }
+                let _e506 = phi_828_;
+                if (_e503 < _e484) {
+                    phi_833_ = _e503;
+                } else {
+                    phi_833_ = _e484;
+                }
+                let _e509 = phi_833_;
+                if (_e506 < _e484) {
+                    phi_838_ = _e506;
+                } else {
+                    phi_838_ = _e484;
+                }
+                let _e512 = phi_838_;
+                let _e513 = bitcast<u32>(_e509);
+                let _e515 = (bitcast<u32>(_e496) * _e480);
+                let _e516 = (bitcast<u32>(_e512) * _e480);
+                let _e521 = ((_e515 + _e497) + _e482);
+                let _e522 = ((_e515 + _e513) + _e482);
+                let _e523 = ((_e516 + _e497) + _e482);
+                let _e524 = ((_e516 + _e513) + _e482);
+                if (_e521 < _e41) {
                 } else {
                     return;
                 }
-                let _e485 = map.member[(0u + _e478)];
-                if (_e479 < _e41) {
+                let _e528 = map.member[(0u + _e521)];
+                if (_e522 < _e41) {
                 } else {
                     return;
                 }
-                let _e489 = map.member[(0u + _e479)];
-                if (_e480 < _e41) {
+                let _e532 = map.member[(0u + _e522)];
+                if (_e523 < _e41) {
                 } else {
                     return;
                 }
-                let _e493 = map.member[(0u + _e480)];
-                if (_e481 < _e41) {
+                let _e536 = map.member[(0u + _e523)];
+                if (_e524 < _e41) {
                 } else {
                     return;
                 }
-                let _e497 = map.member[(0u + _e481)];
-                let _e499 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e485, _e489, _e493, _e497), vec4<f32>(((1f - _e404) * (1f - _e405)), (_e404 * (1f - _e405)), ((1f - _e404) * _e405), (_e404 * _e405)), _e344);
-                let _e501 = p.member.epsilon;
-                if (_e499 <= _e501) {
-                    phi_838_ = true;
+                let _e540 = map.member[(0u + _e524)];
+                let _e542 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e528, _e532, _e536, _e540), vec4<f32>(((1f - _e447) * (1f - _e448)), (_e447 * (1f - _e448)), ((1f - _e447) * _e448), (_e447 * _e448)), _e387);
+                let _e544 = p.member.epsilon;
+                if (_e542 <= _e544) {
+                    phi_889_ = true;
                 } else {
-                    phi_838_ = (_e499 >= (1f - _e501));
+                    phi_889_ = (_e542 >= (1f - _e544));
                 }
-                let _e506 = phi_838_;
-                if ((bitcast<u32>(_e499) & 2147483647u) > 2139095040u) {
-                    phi_846_ = true;
+                let _e549 = phi_889_;
+                if ((bitcast<u32>(_e542) & 2147483647u) > 2139095040u) {
+                    phi_897_ = true;
                 } else {
-                    phi_846_ = !(_e506);
+                    phi_897_ = !(_e549);
                 }
-                let _e512 = phi_846_;
-                if _e512 {
-                    if (_e499 > 0f) {
-                        if (_e499 < 1f) {
-                            phi_858_ = false;
+                let _e555 = phi_897_;
+                if _e555 {
+                    if (_e542 > 0f) {
+                        if (_e542 < 1f) {
+                            phi_909_ = false;
                         } else {
-                            phi_858_ = true;
+                            phi_909_ = true;
                         }
-                        let _e516 = phi_858_;
-                        phi_859_ = _e516;
+                        let _e559 = phi_909_;
+                        phi_910_ = _e559;
                     } else {
-                        phi_859_ = true;
+                        phi_910_ = true;
                     }
-                    let _e518 = phi_859_;
-                    if _e518 {
-                        phi_863_ = 0.5f;
+                    let _e561 = phi_910_;
+                    if _e561 {
+                        phi_914_ = 0.5f;
                     } else {
-                        phi_863_ = _e499;
+                        phi_914_ = _e542;
                     }
-                    let _e520 = phi_863_;
-                    phi_871_ = evaluate_Verdict(_e520, true);
+                    let _e563 = phi_914_;
+                    phi_922_ = evaluate_Verdict(_e563, true);
                 } else {
-                    if (_e499 > 0.5f) {
-                        phi_869_ = 1f;
+                    if (_e542 > 0.5f) {
+                        phi_920_ = 1f;
                     } else {
-                        phi_869_ = 0f;
+                        phi_920_ = 0f;
                     }
-                    let _e524 = phi_869_;
-                    phi_871_ = evaluate_Verdict(_e524, false);
+                    let _e567 = phi_920_;
+                    phi_922_ = evaluate_Verdict(_e567, false);
                 }
-                let _e527 = phi_871_;
-                phi_876_ = evaluate_Verdict(_e527.visibility, _e527.is_doubted);
+                let _e570 = phi_922_;
+                phi_927_ = evaluate_Verdict(_e570.visibility, _e570.is_doubted);
             } else {
-                phi_876_ = evaluate_Verdict(0.5f, true);
+                phi_927_ = evaluate_Verdict(0.5f, true);
             }
-            let _e533 = phi_876_;
-            phi_877_ = _e533;
+            let _e576 = phi_927_;
+            phi_928_ = _e576;
         }
-        let _e535 = phi_877_;
+        let _e578 = phi_928_;
         if (_e50.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e50.first_primitive)] = _e535.visibility;
+        visibility.member[(0u + _e50.first_primitive)] = _e578.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,18 +52,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -67,43 +76,43 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_33;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(2) 
-var<storage> map: type_29;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_131_: lt_bvh_traverse_Tree;
-    var phi_132_: bool;
-    var phi_133_: lt_bvh_traverse_Tree;
-    var phi_134_: bool;
-    var phi_139_: lt_bvh_traverse_Tree;
+    var phi_135_: lt_bvh_traverse_Tree;
+    var phi_136_: bool;
+    var phi_137_: lt_bvh_traverse_Tree;
+    var phi_138_: bool;
+    var phi_143_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_131_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_132_ = false;
+            phi_135_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_136_ = false;
         } else {
-            phi_131_ = lt_bvh_traverse_Tree();
-            phi_132_ = true;
+            phi_135_ = lt_bvh_traverse_Tree();
+            phi_136_ = true;
         }
-        let _e47 = phi_131_;
-        let _e49 = phi_132_;
-        phi_133_ = _e47;
-        phi_134_ = _e49;
+        let _e47 = phi_135_;
+        let _e49 = phi_136_;
+        phi_137_ = _e47;
+        phi_138_ = _e49;
     } else {
-        phi_133_ = lt_bvh_traverse_Tree();
-        phi_134_ = true;
+        phi_137_ = lt_bvh_traverse_Tree();
+        phi_138_ = true;
     }
-    let _e51 = phi_133_;
-    let _e53 = phi_134_;
+    let _e51 = phi_137_;
+    let _e53 = phi_138_;
     if _e53 {
-        phi_139_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_143_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_139_ = _e51;
+        phi_143_ = _e51;
     }
-    let _e58 = phi_139_;
+    let _e58 = phi_143_;
     return lt_bvh_traverse_Tree(_e58.root, _e58.first_primitive);
 }
 
@@ -112,139 +121,145 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_164_: f32;
-    var phi_165_: f32;
-    var phi_166_: f32;
-    var phi_184_: bool;
-    var phi_188_: f32;
-    var phi_200_: bool;
-    var phi_207_: f32;
-    var phi_222_: f32;
-    var phi_223_: f32;
-    var phi_224_: f32;
+    var phi_168_: f32;
+    var phi_169_: f32;
+    var phi_170_: f32;
+    var phi_188_: bool;
+    var phi_192_: f32;
+    var phi_204_: bool;
+    var phi_211_: f32;
+    var phi_226_: f32;
+    var phi_227_: f32;
+    var phi_228_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_166_ = param_6;
+        phi_170_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_165_ = 0f;
+            phi_169_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_164_ = 1f;
+                phi_168_ = 1f;
             } else {
-                phi_164_ = param_6;
+                phi_168_ = param_6;
             }
-            let _e43 = phi_164_;
-            phi_165_ = _e43;
+            let _e43 = phi_168_;
+            phi_169_ = _e43;
         }
-        let _e45 = phi_165_;
-        phi_166_ = _e45;
+        let _e45 = phi_169_;
+        phi_170_ = _e45;
     }
-    let _e47 = phi_166_;
+    let _e47 = phi_170_;
     let _e50 = (*param_4);
     let _e54 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
     if ((bitcast<u32>(_e50) & 2147483647u) > 2139095040u) {
-        phi_184_ = true;
+        phi_188_ = true;
     } else {
         let _e58 = (_e50 > _e54);
         if _e58 {
         }
-        phi_184_ = _e58;
+        phi_188_ = _e58;
     }
-    let _e60 = phi_184_;
+    let _e60 = phi_188_;
     if _e60 {
-        phi_188_ = _e50;
+        phi_192_ = _e50;
     } else {
-        phi_188_ = _e54;
+        phi_192_ = _e54;
     }
-    let _e62 = phi_188_;
+    let _e62 = phi_192_;
     let _e63 = (_e47 - param_5.x);
     if (_e63 <= 0f) {
         let _e67 = ((bitcast<u32>(_e62) & 2147483647u) > 2139095040u);
         if _e67 {
         }
-        phi_200_ = _e67;
+        phi_204_ = _e67;
     } else {
-        phi_200_ = true;
+        phi_204_ = true;
     }
-    let _e69 = phi_200_;
+    let _e69 = phi_204_;
     if _e69 {
-        phi_207_ = (_e62 / (_e62 + (_e63 * _e63)));
+        phi_211_ = (_e62 / (_e62 + (_e63 * _e63)));
     } else {
-        phi_207_ = 1f;
+        phi_211_ = 1f;
     }
-    let _e74 = phi_207_;
+    let _e74 = phi_211_;
     if ((bitcast<u32>(_e74) & 2147483647u) > 2139095040u) {
-        phi_224_ = _e74;
+        phi_228_ = _e74;
     } else {
         if (_e74 < 0f) {
-            phi_223_ = 0f;
+            phi_227_ = 0f;
         } else {
             if (_e74 > 1f) {
-                phi_222_ = 1f;
+                phi_226_ = 1f;
             } else {
-                phi_222_ = _e74;
+                phi_226_ = _e74;
             }
-            let _e81 = phi_222_;
-            phi_223_ = _e81;
+            let _e81 = phi_226_;
+            phi_227_ = _e81;
         }
-        let _e83 = phi_223_;
-        phi_224_ = _e83;
+        let _e83 = phi_227_;
+        phi_228_ = _e83;
     }
-    let _e85 = phi_224_;
+    let _e85 = phi_228_;
     return _e85;
 }
 
 fn function_() {
     var local: f32;
-    var phi_281_: bool;
-    var phi_282_: bool;
-    var phi_283_: bool;
     var phi_284_: bool;
-    var phi_288_: bool;
-    var phi_332_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_336_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_410_: bool;
-    var phi_419_: bool;
-    var phi_428_: bool;
-    var phi_429_: bool;
-    var phi_430_: bool;
-    var phi_431_: bool;
-    var phi_432_: bool;
-    var phi_433_: bool;
-    var phi_434_: bool;
-    var phi_438_: bool;
-    var phi_528_: f32;
-    var phi_531_: f32;
-    var phi_560_: f32;
-    var phi_565_: f32;
-    var phi_566_: bool;
-    var phi_567_: f32;
-    var phi_568_: bool;
-    var phi_572_: f32;
-    var phi_592_: f32;
-    var phi_597_: f32;
-    var phi_598_: bool;
-    var phi_599_: f32;
-    var phi_600_: bool;
-    var phi_604_: f32;
-    var phi_652_: i32;
-    var phi_657_: i32;
-    var phi_662_: i32;
-    var phi_667_: i32;
-    var phi_676_: i32;
-    var phi_681_: i32;
-    var phi_686_: i32;
-    var phi_691_: i32;
-    var phi_786_: bool;
-    var phi_794_: bool;
-    var phi_806_: bool;
-    var phi_807_: bool;
-    var phi_811_: f32;
-    var phi_817_: f32;
-    var phi_819_: evaluate_Verdict;
-    var phi_824_: evaluate_Verdict;
-    var phi_825_: evaluate_Verdict;
+    var phi_285_: bool;
+    var phi_286_: bool;
+    var phi_287_: bool;
+    var phi_291_: bool;
+    var phi_361_: bool;
+    var phi_362_: bool;
+    var phi_373_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_374_: bool;
+    var phi_375_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_376_: bool;
+    var phi_383_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_387_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_461_: bool;
+    var phi_470_: bool;
+    var phi_479_: bool;
+    var phi_480_: bool;
+    var phi_481_: bool;
+    var phi_482_: bool;
+    var phi_483_: bool;
+    var phi_484_: bool;
+    var phi_485_: bool;
+    var phi_489_: bool;
+    var phi_579_: f32;
+    var phi_582_: f32;
+    var phi_611_: f32;
+    var phi_616_: f32;
+    var phi_617_: bool;
+    var phi_618_: f32;
+    var phi_619_: bool;
+    var phi_623_: f32;
+    var phi_643_: f32;
+    var phi_648_: f32;
+    var phi_649_: bool;
+    var phi_650_: f32;
+    var phi_651_: bool;
+    var phi_655_: f32;
+    var phi_703_: i32;
+    var phi_708_: i32;
+    var phi_713_: i32;
+    var phi_718_: i32;
+    var phi_727_: i32;
+    var phi_732_: i32;
+    var phi_737_: i32;
+    var phi_742_: i32;
+    var phi_837_: bool;
+    var phi_845_: bool;
+    var phi_857_: bool;
+    var phi_858_: bool;
+    var phi_862_: f32;
+    var phi_868_: f32;
+    var phi_870_: evaluate_Verdict;
+    var phi_875_: evaluate_Verdict;
+    var phi_876_: evaluate_Verdict;
 
     let _e35 = id_1;
     let _e42 = arrayLength((&map.member));
@@ -258,348 +273,387 @@ fn function_() {
             return;
         }
         let _e61 = lt_math_OneLevel(_e57);
-        let _e63 = p.member.light;
-        let _e66 = samples.member[(0u + _e51.first_primitive)].normal[0u];
-        let _e68 = global[0u];
-        if (_e66 == _e68) {
-            let _e71 = samples.member[(0u + _e51.first_primitive)].normal[1u];
-            let _e73 = global[1u];
-            if (_e71 == _e73) {
-                let _e76 = samples.member[(0u + _e51.first_primitive)].normal[2u];
-                let _e78 = global[2u];
-                phi_281_ = (_e76 == _e78);
-                phi_282_ = false;
+        let _e65 = samples.member[(0u + _e51.first_primitive)].normal[0u];
+        let _e67 = global[0u];
+        if (_e65 == _e67) {
+            let _e70 = samples.member[(0u + _e51.first_primitive)].normal[1u];
+            let _e72 = global[1u];
+            if (_e70 == _e72) {
+                let _e75 = samples.member[(0u + _e51.first_primitive)].normal[2u];
+                let _e77 = global[2u];
+                phi_284_ = (_e75 == _e77);
+                phi_285_ = false;
             } else {
-                phi_281_ = bool();
-                phi_282_ = true;
+                phi_284_ = bool();
+                phi_285_ = true;
             }
-            let _e81 = phi_281_;
-            let _e83 = phi_282_;
-            phi_283_ = _e81;
-            phi_284_ = _e83;
+            let _e80 = phi_284_;
+            let _e82 = phi_285_;
+            phi_286_ = _e80;
+            phi_287_ = _e82;
         } else {
-            phi_283_ = bool();
-            phi_284_ = true;
+            phi_286_ = bool();
+            phi_287_ = true;
         }
-        let _e85 = phi_283_;
-        let _e87 = phi_284_;
-        if _e87 {
-            phi_288_ = false;
+        let _e84 = phi_286_;
+        let _e86 = phi_287_;
+        if _e86 {
+            phi_291_ = false;
         } else {
-            phi_288_ = _e85;
+            phi_291_ = _e84;
         }
-        let _e89 = phi_288_;
-        if !(_e89) {
-            let _e92 = samples.member[(0u + _e51.first_primitive)].normal;
-            let _e94 = samples.member[(0u + _e51.first_primitive)].position;
-            if ((((_e92.x * (_e63.x - (_e94.x * _e63.w))) + (_e92.y * (_e63.y - (_e94.y * _e63.w)))) + (_e92.z * (_e63.z - (_e94.z * _e63.w)))) > 0f) {
-                let _e118 = samples.member[(0u + _e51.first_primitive)].flags;
-                let _e126 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e132 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e126.unnamed.visibility, false), _e126.unnamed_1);
-                phi_332_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e132.unnamed, ((_e118 & 1u) == 0u));
-            } else {
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e141.unnamed.visibility, false), _e141.unnamed_1);
-                phi_332_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e147.unnamed, true);
-            }
-            let _e152 = phi_332_;
-            phi_336_ = _e152;
-        } else {
-            let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
-            phi_336_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
-        }
-        let _e169 = phi_336_;
-        if _e169.unnamed_1 {
-            phi_825_ = evaluate_Verdict(_e169.unnamed.visibility, _e169.unnamed.is_doubted);
-        } else {
-            let _e177 = samples.member[(0u + _e51.first_primitive)].position;
-            let _e195 = ((((_e61.projection.row_w.x * _e177.x) + (_e61.projection.row_w.y * _e177.y)) + (_e61.projection.row_w.z * _e177.z)) + (_e61.projection.row_w.w * 1f));
-            let _e209 = (((((_e61.projection.row_x.x * _e177.x) + (_e61.projection.row_x.y * _e177.y)) + (_e61.projection.row_x.z * _e177.z)) + (_e61.projection.row_x.w * 1f)) / _e195);
-            let _e223 = (((((_e61.projection.row_y.x * _e177.x) + (_e61.projection.row_y.y * _e177.y)) + (_e61.projection.row_y.z * _e177.z)) + (_e61.projection.row_y.w * 1f)) / _e195);
-            let _e236 = ((((_e61.projection.row_z.x * _e177.x) + (_e61.projection.row_z.y * _e177.y)) + (_e61.projection.row_z.z * _e177.z)) + (_e61.projection.row_z.w * 1f));
-            if (_e195 > 0f) {
-                if (_e209 >= 0f) {
-                    phi_410_ = (_e209 <= 1f);
+        let _e88 = phi_291_;
+        if !(_e88) {
+            let _e91 = samples.member[(0u + _e51.first_primitive)].position;
+            let _e93 = p.member.light.place;
+            let _e99 = p.member.light.place[3u];
+            let _e106 = (_e93.x - (_e91.x * _e99));
+            let _e107 = (_e93.y - (_e91.y * _e99));
+            let _e108 = (_e93.z - (_e91.z * _e99));
+            let _e110 = samples.member[(0u + _e51.first_primitive)].normal;
+            if ((((_e110.x * _e106) + (_e110.y * _e107)) + (_e110.z * _e108)) > 0f) {
+                let _e124 = (((_e106 * _e106) + (_e107 * _e107)) + (_e108 * _e108));
+                let _e126 = p.member.light.axis;
+                let _e138 = p.member.light.place[3u];
+                if (_e138 == 0f) {
+                    phi_362_ = true;
                 } else {
-                    phi_410_ = false;
-                }
-                let _e241 = phi_410_;
-                if _e241 {
-                    if (_e223 >= 0f) {
-                        phi_419_ = (_e223 <= 1f);
+                    let _e141 = p.member.light.range_squared;
+                    if (_e124 <= _e141) {
+                        let _e144 = p.member.light.cos_outer;
+                        phi_361_ = (-((((_e106 * _e126.x) + (_e107 * _e126.y)) + (_e108 * _e126.z))) >= (_e144 * sqrt(_e124)));
                     } else {
-                        phi_419_ = false;
+                        phi_361_ = false;
                     }
-                    let _e245 = phi_419_;
-                    if _e245 {
-                        if (_e236 >= 0f) {
-                            phi_428_ = (_e236 <= 1f);
+                    let _e149 = phi_361_;
+                    phi_362_ = _e149;
+                }
+                let _e151 = phi_362_;
+                if _e151 {
+                    let _e153 = samples.member[(0u + _e51.first_primitive)].flags;
+                    let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
+                    phi_373_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, ((_e153 & 1u) == 0u));
+                    phi_374_ = false;
+                } else {
+                    phi_373_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_374_ = true;
+                }
+                let _e172 = phi_373_;
+                let _e174 = phi_374_;
+                phi_375_ = _e172;
+                phi_376_ = _e174;
+            } else {
+                phi_375_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_376_ = true;
+            }
+            let _e176 = phi_375_;
+            let _e178 = phi_376_;
+            if _e178 {
+                let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e184.unnamed.visibility, false), _e184.unnamed_1);
+                phi_383_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e190.unnamed, true);
+            } else {
+                phi_383_ = _e176;
+            }
+            let _e195 = phi_383_;
+            phi_387_ = _e195;
+        } else {
+            let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e201.unnamed.visibility, false), _e201.unnamed_1);
+            phi_387_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e207.unnamed, true);
+        }
+        let _e212 = phi_387_;
+        if _e212.unnamed_1 {
+            phi_876_ = evaluate_Verdict(_e212.unnamed.visibility, _e212.unnamed.is_doubted);
+        } else {
+            let _e220 = samples.member[(0u + _e51.first_primitive)].position;
+            let _e238 = ((((_e61.projection.row_w.x * _e220.x) + (_e61.projection.row_w.y * _e220.y)) + (_e61.projection.row_w.z * _e220.z)) + (_e61.projection.row_w.w * 1f));
+            let _e252 = (((((_e61.projection.row_x.x * _e220.x) + (_e61.projection.row_x.y * _e220.y)) + (_e61.projection.row_x.z * _e220.z)) + (_e61.projection.row_x.w * 1f)) / _e238);
+            let _e266 = (((((_e61.projection.row_y.x * _e220.x) + (_e61.projection.row_y.y * _e220.y)) + (_e61.projection.row_y.z * _e220.z)) + (_e61.projection.row_y.w * 1f)) / _e238);
+            let _e279 = ((((_e61.projection.row_z.x * _e220.x) + (_e61.projection.row_z.y * _e220.y)) + (_e61.projection.row_z.z * _e220.z)) + (_e61.projection.row_z.w * 1f));
+            if (_e238 > 0f) {
+                if (_e252 >= 0f) {
+                    phi_461_ = (_e252 <= 1f);
+                } else {
+                    phi_461_ = false;
+                }
+                let _e284 = phi_461_;
+                if _e284 {
+                    if (_e266 >= 0f) {
+                        phi_470_ = (_e266 <= 1f);
+                    } else {
+                        phi_470_ = false;
+                    }
+                    let _e288 = phi_470_;
+                    if _e288 {
+                        if (_e279 >= 0f) {
+                            phi_479_ = (_e279 <= 1f);
                         } else {
-                            phi_428_ = false;
+                            phi_479_ = false;
                         }
-                        let _e249 = phi_428_;
-                        phi_429_ = _e249;
-                        phi_430_ = false;
+                        let _e292 = phi_479_;
+                        phi_480_ = _e292;
+                        phi_481_ = false;
                     } else {
-                        phi_429_ = bool();
-                        phi_430_ = true;
+                        phi_480_ = bool();
+                        phi_481_ = true;
                     }
-                    let _e251 = phi_429_;
-                    let _e253 = phi_430_;
-                    phi_431_ = _e251;
-                    phi_432_ = _e253;
+                    let _e294 = phi_480_;
+                    let _e296 = phi_481_;
+                    phi_482_ = _e294;
+                    phi_483_ = _e296;
                 } else {
-                    phi_431_ = bool();
-                    phi_432_ = true;
+                    phi_482_ = bool();
+                    phi_483_ = true;
                 }
-                let _e255 = phi_431_;
-                let _e257 = phi_432_;
-                phi_433_ = _e255;
-                phi_434_ = _e257;
+                let _e298 = phi_482_;
+                let _e300 = phi_483_;
+                phi_484_ = _e298;
+                phi_485_ = _e300;
             } else {
-                phi_433_ = bool();
-                phi_434_ = true;
+                phi_484_ = bool();
+                phi_485_ = true;
             }
-            let _e259 = phi_433_;
-            let _e261 = phi_434_;
-            if _e261 {
-                phi_438_ = false;
+            let _e302 = phi_484_;
+            let _e304 = phi_485_;
+            if _e304 {
+                phi_489_ = false;
             } else {
-                phi_438_ = _e259;
+                phi_489_ = _e302;
             }
-            let _e263 = phi_438_;
-            if _e263 {
+            let _e306 = phi_489_;
+            if _e306 {
                 if (0f > 0f) {
-                    let _e266 = samples.member[(0u + _e51.first_primitive)].normal;
-                    let _e268 = p.member.map_size;
-                    let _e338 = ((abs(((((_e57.row_x.x * _e266.x) + (_e57.row_x.y * _e266.y)) + (_e57.row_x.z * _e266.z)) / (((_e57.row_x.x * _e57.row_x.x) + (_e57.row_x.y * _e57.row_x.y)) + (_e57.row_x.z * _e57.row_x.z)))) + abs(((((_e57.row_y.x * _e266.x) + (_e57.row_y.y * _e266.y)) + (_e57.row_y.z * _e266.z)) / (((_e57.row_y.x * _e57.row_y.x) + (_e57.row_y.y * _e57.row_y.y)) + (_e57.row_y.z * _e57.row_y.z))))) / (abs(((((_e57.row_z.x * _e266.x) + (_e57.row_z.y * _e266.y)) + (_e57.row_z.z * _e266.z)) / (((_e57.row_z.x * _e57.row_z.x) + (_e57.row_z.y * _e57.row_z.y)) + (_e57.row_z.z * _e57.row_z.z)))) * f32(_e268)));
-                    if (_e338 < 0.002f) {
-                        phi_528_ = _e338;
+                    let _e309 = samples.member[(0u + _e51.first_primitive)].normal;
+                    let _e311 = p.member.map_size;
+                    let _e381 = ((abs(((((_e57.row_x.x * _e309.x) + (_e57.row_x.y * _e309.y)) + (_e57.row_x.z * _e309.z)) / (((_e57.row_x.x * _e57.row_x.x) + (_e57.row_x.y * _e57.row_x.y)) + (_e57.row_x.z * _e57.row_x.z)))) + abs(((((_e57.row_y.x * _e309.x) + (_e57.row_y.y * _e309.y)) + (_e57.row_y.z * _e309.z)) / (((_e57.row_y.x * _e57.row_y.x) + (_e57.row_y.y * _e57.row_y.y)) + (_e57.row_y.z * _e57.row_y.z))))) / (abs(((((_e57.row_z.x * _e309.x) + (_e57.row_z.y * _e309.y)) + (_e57.row_z.z * _e309.z)) / (((_e57.row_z.x * _e57.row_z.x) + (_e57.row_z.y * _e57.row_z.y)) + (_e57.row_z.z * _e57.row_z.z)))) * f32(_e311)));
+                    if (_e381 < 0.002f) {
+                        phi_579_ = _e381;
                     } else {
-                        phi_528_ = 0.002f;
+                        phi_579_ = 0.002f;
                     }
-                    let _e341 = phi_528_;
-                    phi_531_ = (_e236 - (0f * _e341));
+                    let _e384 = phi_579_;
+                    phi_582_ = (_e279 - (0f * _e384));
                 } else {
-                    phi_531_ = _e236;
+                    phi_582_ = _e279;
                 }
-                let _e345 = phi_531_;
-                let _e347 = p.member.map_size;
-                let _e348 = f32(_e347);
-                let _e351 = ((_e209 * _e348) - 0.5f);
-                let _e352 = ((_e223 * _e348) - 0.5f);
-                if (_e351 > -8388608f) {
-                    let _e364 = f32(select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < bitcast<f32>(3472883712u))), 2147483647i, (_e351 > bitcast<f32>(1325400063u))), (_e351 == _e351)));
-                    if (_e364 > _e351) {
-                        phi_560_ = 1f;
+                let _e388 = phi_582_;
+                let _e390 = p.member.map_size;
+                let _e391 = f32(_e390);
+                let _e394 = ((_e252 * _e391) - 0.5f);
+                let _e395 = ((_e266 * _e391) - 0.5f);
+                if (_e394 > -8388608f) {
+                    let _e407 = f32(select(0i, select(select(i32(_e394), i32(-2147483648), (_e394 < bitcast<f32>(3472883712u))), 2147483647i, (_e394 > bitcast<f32>(1325400063u))), (_e394 == _e394)));
+                    if (_e407 > _e394) {
+                        phi_611_ = 1f;
                     } else {
-                        phi_560_ = 0f;
+                        phi_611_ = 0f;
                     }
-                    let _e367 = phi_560_;
-                    if (_e351 < 8388608f) {
-                        phi_565_ = (_e364 - _e367);
-                        phi_566_ = false;
+                    let _e410 = phi_611_;
+                    if (_e394 < 8388608f) {
+                        phi_616_ = (_e407 - _e410);
+                        phi_617_ = false;
                     } else {
-                        phi_565_ = f32();
-                        phi_566_ = true;
+                        phi_616_ = f32();
+                        phi_617_ = true;
                     }
-                    let _e370 = phi_565_;
-                    let _e372 = phi_566_;
-                    phi_567_ = _e370;
-                    phi_568_ = _e372;
+                    let _e413 = phi_616_;
+                    let _e415 = phi_617_;
+                    phi_618_ = _e413;
+                    phi_619_ = _e415;
                 } else {
-                    phi_567_ = f32();
-                    phi_568_ = true;
+                    phi_618_ = f32();
+                    phi_619_ = true;
                 }
-                let _e374 = phi_567_;
-                let _e376 = phi_568_;
-                if _e376 {
-                    phi_572_ = _e351;
+                let _e417 = phi_618_;
+                let _e419 = phi_619_;
+                if _e419 {
+                    phi_623_ = _e394;
                 } else {
-                    phi_572_ = _e374;
+                    phi_623_ = _e417;
                 }
-                let _e378 = phi_572_;
-                if (_e352 > -8388608f) {
-                    let _e390 = f32(select(0i, select(select(i32(_e352), i32(-2147483648), (_e352 < bitcast<f32>(3472883712u))), 2147483647i, (_e352 > bitcast<f32>(1325400063u))), (_e352 == _e352)));
-                    if (_e390 > _e352) {
-                        phi_592_ = 1f;
+                let _e421 = phi_623_;
+                if (_e395 > -8388608f) {
+                    let _e433 = f32(select(0i, select(select(i32(_e395), i32(-2147483648), (_e395 < bitcast<f32>(3472883712u))), 2147483647i, (_e395 > bitcast<f32>(1325400063u))), (_e395 == _e395)));
+                    if (_e433 > _e395) {
+                        phi_643_ = 1f;
                     } else {
-                        phi_592_ = 0f;
+                        phi_643_ = 0f;
                     }
-                    let _e393 = phi_592_;
-                    if (_e352 < 8388608f) {
-                        phi_597_ = (_e390 - _e393);
-                        phi_598_ = false;
+                    let _e436 = phi_643_;
+                    if (_e395 < 8388608f) {
+                        phi_648_ = (_e433 - _e436);
+                        phi_649_ = false;
                     } else {
-                        phi_597_ = f32();
-                        phi_598_ = true;
+                        phi_648_ = f32();
+                        phi_649_ = true;
                     }
-                    let _e396 = phi_597_;
-                    let _e398 = phi_598_;
-                    phi_599_ = _e396;
-                    phi_600_ = _e398;
+                    let _e439 = phi_648_;
+                    let _e441 = phi_649_;
+                    phi_650_ = _e439;
+                    phi_651_ = _e441;
                 } else {
-                    phi_599_ = f32();
-                    phi_600_ = true;
+                    phi_650_ = f32();
+                    phi_651_ = true;
                 }
-                let _e400 = phi_599_;
-                let _e402 = phi_600_;
-                if _e402 {
-                    phi_604_ = _e352;
+                let _e443 = phi_650_;
+                let _e445 = phi_651_;
+                if _e445 {
+                    phi_655_ = _e395;
                 } else {
-                    phi_604_ = _e400;
+                    phi_655_ = _e443;
                 }
-                let _e404 = phi_604_;
-                let _e405 = (_e351 - _e378);
-                let _e406 = (_e352 - _e404);
-                let _e415 = select(0i, select(select(i32(_e378), i32(-2147483648), (_e378 < bitcast<f32>(3472883712u))), 2147483647i, (_e378 > bitcast<f32>(1325400063u))), (_e378 == _e378));
-                let _e424 = select(0i, select(select(i32(_e404), i32(-2147483648), (_e404 < bitcast<f32>(3472883712u))), 2147483647i, (_e404 > bitcast<f32>(1325400063u))), (_e404 == _e404));
-                let _e427 = ((1f - _e405) * (1f - _e406));
-                let _e429 = (_e405 * (1f - _e406));
-                let _e431 = ((1f - _e405) * _e406);
-                let _e432 = (_e405 * _e406);
-                let _e434 = p.member.test;
-                let _e435 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e434);
-                let _e437 = p.member.map_size;
-                local = _e435;
-                let _e439 = ((0u * _e437) * _e437);
-                let _e441 = (bitcast<i32>(_e437) - 1i);
-                if (_e415 > 0i) {
-                    phi_652_ = _e415;
+                let _e447 = phi_655_;
+                let _e448 = (_e394 - _e421);
+                let _e449 = (_e395 - _e447);
+                let _e458 = select(0i, select(select(i32(_e421), i32(-2147483648), (_e421 < bitcast<f32>(3472883712u))), 2147483647i, (_e421 > bitcast<f32>(1325400063u))), (_e421 == _e421));
+                let _e467 = select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447));
+                let _e470 = ((1f - _e448) * (1f - _e449));
+                let _e472 = (_e448 * (1f - _e449));
+                let _e474 = ((1f - _e448) * _e449);
+                let _e475 = (_e448 * _e449);
+                let _e477 = p.member.test;
+                let _e478 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e477);
+                let _e480 = p.member.map_size;
+                local = _e478;
+                let _e482 = ((0u * _e480) * _e480);
+                let _e484 = (bitcast<i32>(_e480) - 1i);
+                if (_e458 > 0i) {
+                    phi_703_ = _e458;
                 } else {
-                    phi_652_ = 0i;
+                    phi_703_ = 0i;
                 }
-                let _e444 = phi_652_;
-                if (_e424 > 0i) {
-                    phi_657_ = _e424;
+                let _e487 = phi_703_;
+                if (_e467 > 0i) {
+                    phi_708_ = _e467;
                 } else {
-                    phi_657_ = 0i;
+                    phi_708_ = 0i;
                 }
-                let _e447 = phi_657_;
-                if (_e444 < _e441) {
-                    phi_662_ = _e444;
+                let _e490 = phi_708_;
+                if (_e487 < _e484) {
+                    phi_713_ = _e487;
                 } else {
-                    phi_662_ = _e441;
+                    phi_713_ = _e484;
                 }
-                let _e450 = phi_662_;
-                if (_e447 < _e441) {
-                    phi_667_ = _e447;
+                let _e493 = phi_713_;
+                if (_e490 < _e484) {
+                    phi_718_ = _e490;
                 } else {
-                    phi_667_ = _e441;
+                    phi_718_ = _e484;
                 }
-                let _e453 = phi_667_;
-                let _e454 = bitcast<u32>(_e450);
-                let _e456 = (_e415 + 1i);
-                let _e457 = (_e424 + 1i);
-                if (_e456 > 0i) {
-                    phi_676_ = _e456;
+                let _e496 = phi_718_;
+                let _e497 = bitcast<u32>(_e493);
+                let _e499 = (_e458 + 1i);
+                let _e500 = (_e467 + 1i);
+                if (_e499 > 0i) {
+                    phi_727_ = _e499;
                 } else {
-                    phi_676_ = 0i;
+                    phi_727_ = 0i;
                 }
-                let _e460 = phi_676_;
-                if (_e457 > 0i) {
-                    phi_681_ = _e457;
+                let _e503 = phi_727_;
+                if (_e500 > 0i) {
+                    phi_732_ = _e500;
                 } else {
-                    phi_681_ = 0i;
+                    phi_732_ = 0i;
                 }
-                let _e463 = phi_681_;
-                if (_e460 < _e441) {
-                    phi_686_ = _e460;
+                let _e506 = phi_732_;
+                if (_e503 < _e484) {
+                    phi_737_ = _e503;
                 } else {
-                    phi_686_ = _e441;
+                    phi_737_ = _e484;
                 }
-                let _e466 = phi_686_;
-                if (_e463 < _e441) {
-                    phi_691_ = _e463;
+                let _e509 = phi_737_;
+                if (_e506 < _e484) {
+                    phi_742_ = _e506;
                 } else {
-                    phi_691_ = _e441;
+                    phi_742_ = _e484;
                 }
-                let _e469 = phi_691_;
-                let _e470 = bitcast<u32>(_e466);
-                let _e472 = (bitcast<u32>(_e453) * _e437);
-                let _e473 = (bitcast<u32>(_e469) * _e437);
-                let _e478 = ((_e472 + _e454) + _e439);
-                let _e479 = ((_e472 + _e470) + _e439);
-                let _e480 = ((_e473 + _e454) + _e439);
-                let _e481 = ((_e473 + _e470) + _e439);
-                if (_e478 < _e42) {
+                let _e512 = phi_742_;
+                let _e513 = bitcast<u32>(_e509);
+                let _e515 = (bitcast<u32>(_e496) * _e480);
+                let _e516 = (bitcast<u32>(_e512) * _e480);
+                let _e521 = ((_e515 + _e497) + _e482);
+                let _e522 = ((_e515 + _e513) + _e482);
+                let _e523 = ((_e516 + _e497) + _e482);
+                let _e524 = ((_e516 + _e513) + _e482);
+                if (_e521 < _e42) {
                 } else {
                     return;
                 }
-                let _e485 = map.member[(0u + _e478)];
-                if (_e479 < _e42) {
+                let _e528 = map.member[(0u + _e521)];
+                if (_e522 < _e42) {
                 } else {
                     return;
                 }
-                let _e497 = map.member[(0u + _e479)];
-                if (_e480 < _e42) {
+                let _e540 = map.member[(0u + _e522)];
+                if (_e523 < _e42) {
                 } else {
                     return;
                 }
-                let _e513 = map.member[(0u + _e480)];
-                if (_e481 < _e42) {
+                let _e556 = map.member[(0u + _e523)];
+                if (_e524 < _e42) {
                 } else {
                     return;
                 }
-                let _e529 = map.member[(0u + _e481)];
-                let _e543 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e485.x * _e427) + (_e497.x * _e429)) + (_e513.x * _e431)) + (_e529.x * _e432)), ((((_e485.y * _e427) + (_e497.y * _e429)) + (_e513.y * _e431)) + (_e529.y * _e432)), ((((_e485.z * _e427) + (_e497.z * _e429)) + (_e513.z * _e431)) + (_e529.z * _e432)), ((((_e485.w * _e427) + (_e497.w * _e429)) + (_e513.w * _e431)) + (_e529.w * _e432))), _e345);
-                let _e545 = p.member.epsilon;
-                if (_e543 <= _e545) {
-                    phi_786_ = true;
+                let _e572 = map.member[(0u + _e524)];
+                let _e586 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e528.x * _e470) + (_e540.x * _e472)) + (_e556.x * _e474)) + (_e572.x * _e475)), ((((_e528.y * _e470) + (_e540.y * _e472)) + (_e556.y * _e474)) + (_e572.y * _e475)), ((((_e528.z * _e470) + (_e540.z * _e472)) + (_e556.z * _e474)) + (_e572.z * _e475)), ((((_e528.w * _e470) + (_e540.w * _e472)) + (_e556.w * _e474)) + (_e572.w * _e475))), _e388);
+                let _e588 = p.member.epsilon;
+                if (_e586 <= _e588) {
+                    phi_837_ = true;
                 } else {
-                    phi_786_ = (_e543 >= (1f - _e545));
+                    phi_837_ = (_e586 >= (1f - _e588));
                 }
-                let _e550 = phi_786_;
-                if ((bitcast<u32>(_e543) & 2147483647u) > 2139095040u) {
-                    phi_794_ = true;
+                let _e593 = phi_837_;
+                if ((bitcast<u32>(_e586) & 2147483647u) > 2139095040u) {
+                    phi_845_ = true;
                 } else {
-                    phi_794_ = !(_e550);
+                    phi_845_ = !(_e593);
                 }
-                let _e556 = phi_794_;
-                if _e556 {
-                    if (_e543 > 0f) {
-                        if (_e543 < 1f) {
-                            phi_806_ = false;
+                let _e599 = phi_845_;
+                if _e599 {
+                    if (_e586 > 0f) {
+                        if (_e586 < 1f) {
+                            phi_857_ = false;
                         } else {
-                            phi_806_ = true;
+                            phi_857_ = true;
                         }
-                        let _e560 = phi_806_;
-                        phi_807_ = _e560;
+                        let _e603 = phi_857_;
+                        phi_858_ = _e603;
                     } else {
-                        phi_807_ = true;
+                        phi_858_ = true;
                     }
-                    let _e562 = phi_807_;
-                    if _e562 {
-                        phi_811_ = 0.5f;
+                    let _e605 = phi_858_;
+                    if _e605 {
+                        phi_862_ = 0.5f;
                     } else {
-                        phi_811_ = _e543;
+                        phi_862_ = _e586;
                     }
-                    let _e564 = phi_811_;
-                    phi_819_ = evaluate_Verdict(_e564, true);
+                    let _e607 = phi_862_;
+                    phi_870_ = evaluate_Verdict(_e607, true);
                 } else {
-                    if (_e543 > 0.5f) {
-                        phi_817_ = 1f;
+                    if (_e586 > 0.5f) {
+                        phi_868_ = 1f;
                     } else {
-                        phi_817_ = 0f;
+                        phi_868_ = 0f;
                     }
-                    let _e568 = phi_817_;
-                    phi_819_ = evaluate_Verdict(_e568, false);
+                    let _e611 = phi_868_;
+                    phi_870_ = evaluate_Verdict(_e611, false);
                 }
-                let _e571 = phi_819_;
-                phi_824_ = evaluate_Verdict(_e571.visibility, _e571.is_doubted);
+                let _e614 = phi_870_;
+                phi_875_ = evaluate_Verdict(_e614.visibility, _e614.is_doubted);
             } else {
-                phi_824_ = evaluate_Verdict(0.5f, true);
+                phi_875_ = evaluate_Verdict(0.5f, true);
             }
-            let _e577 = phi_824_;
-            phi_825_ = _e577;
+            let _e620 = phi_875_;
+            phi_876_ = _e620;
         }
-        let _e579 = phi_825_;
+        let _e622 = phi_876_;
         if (_e51.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e51.first_primitive)] = _e579.visibility;
+        visibility.member[(0u + _e51.first_primitive)] = _e622.visibility;
     }
     return;
 }

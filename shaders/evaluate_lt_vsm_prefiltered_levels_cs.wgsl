@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,18 +52,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -78,46 +87,46 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_33;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_39;
+var<storage> levels: type_41;
 @group(0) @binding(2) 
-var<storage> map: type_29;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_143_: lt_bvh_traverse_Tree;
-    var phi_144_: bool;
-    var phi_145_: lt_bvh_traverse_Tree;
-    var phi_146_: bool;
-    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_149_: bool;
+    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_151_: bool;
+    var phi_156_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_144_ = false;
+            phi_148_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_149_ = false;
         } else {
-            phi_143_ = lt_bvh_traverse_Tree();
-            phi_144_ = true;
+            phi_148_ = lt_bvh_traverse_Tree();
+            phi_149_ = true;
         }
-        let _e52 = phi_143_;
-        let _e54 = phi_144_;
-        phi_145_ = _e52;
-        phi_146_ = _e54;
+        let _e53 = phi_148_;
+        let _e55 = phi_149_;
+        phi_150_ = _e53;
+        phi_151_ = _e55;
     } else {
-        phi_145_ = lt_bvh_traverse_Tree();
-        phi_146_ = true;
+        phi_150_ = lt_bvh_traverse_Tree();
+        phi_151_ = true;
     }
-    let _e56 = phi_145_;
-    let _e58 = phi_146_;
-    if _e58 {
-        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e57 = phi_150_;
+    let _e59 = phi_151_;
+    if _e59 {
+        phi_156_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_151_ = _e56;
+        phi_156_ = _e57;
     }
-    let _e63 = phi_151_;
-    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
+    let _e64 = phi_156_;
+    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -125,696 +134,742 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_176_: f32;
-    var phi_177_: f32;
-    var phi_178_: f32;
-    var phi_196_: bool;
-    var phi_200_: f32;
-    var phi_212_: bool;
-    var phi_219_: f32;
-    var phi_234_: f32;
-    var phi_235_: f32;
-    var phi_236_: f32;
+    var phi_181_: f32;
+    var phi_182_: f32;
+    var phi_183_: f32;
+    var phi_201_: bool;
+    var phi_205_: f32;
+    var phi_217_: bool;
+    var phi_224_: f32;
+    var phi_239_: f32;
+    var phi_240_: f32;
+    var phi_241_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_178_ = param_6;
+        phi_183_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_177_ = 0f;
+            phi_182_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_176_ = 1f;
+                phi_181_ = 1f;
             } else {
-                phi_176_ = param_6;
+                phi_181_ = param_6;
             }
-            let _e48 = phi_176_;
-            phi_177_ = _e48;
+            let _e49 = phi_181_;
+            phi_182_ = _e49;
         }
-        let _e50 = phi_177_;
-        phi_178_ = _e50;
+        let _e51 = phi_182_;
+        phi_183_ = _e51;
     }
-    let _e52 = phi_178_;
-    let _e55 = (*param_4);
-    let _e59 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
-    if ((bitcast<u32>(_e55) & 2147483647u) > 2139095040u) {
-        phi_196_ = true;
+    let _e53 = phi_183_;
+    let _e56 = (*param_4);
+    let _e60 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
+    if ((bitcast<u32>(_e56) & 2147483647u) > 2139095040u) {
+        phi_201_ = true;
     } else {
-        let _e63 = (_e55 > _e59);
-        if _e63 {
+        let _e64 = (_e56 > _e60);
+        if _e64 {
         }
-        phi_196_ = _e63;
+        phi_201_ = _e64;
     }
-    let _e65 = phi_196_;
-    if _e65 {
-        phi_200_ = _e55;
+    let _e66 = phi_201_;
+    if _e66 {
+        phi_205_ = _e56;
     } else {
-        phi_200_ = _e59;
+        phi_205_ = _e60;
     }
-    let _e67 = phi_200_;
-    let _e68 = (_e52 - param_5.x);
-    if (_e68 <= 0f) {
-        let _e72 = ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u);
-        if _e72 {
+    let _e68 = phi_205_;
+    let _e69 = (_e53 - param_5.x);
+    if (_e69 <= 0f) {
+        let _e73 = ((bitcast<u32>(_e68) & 2147483647u) > 2139095040u);
+        if _e73 {
         }
-        phi_212_ = _e72;
+        phi_217_ = _e73;
     } else {
-        phi_212_ = true;
+        phi_217_ = true;
     }
-    let _e74 = phi_212_;
-    if _e74 {
-        phi_219_ = (_e67 / (_e67 + (_e68 * _e68)));
+    let _e75 = phi_217_;
+    if _e75 {
+        phi_224_ = (_e68 / (_e68 + (_e69 * _e69)));
     } else {
-        phi_219_ = 1f;
+        phi_224_ = 1f;
     }
-    let _e79 = phi_219_;
-    if ((bitcast<u32>(_e79) & 2147483647u) > 2139095040u) {
-        phi_236_ = _e79;
+    let _e80 = phi_224_;
+    if ((bitcast<u32>(_e80) & 2147483647u) > 2139095040u) {
+        phi_241_ = _e80;
     } else {
-        if (_e79 < 0f) {
-            phi_235_ = 0f;
+        if (_e80 < 0f) {
+            phi_240_ = 0f;
         } else {
-            if (_e79 > 1f) {
-                phi_234_ = 1f;
+            if (_e80 > 1f) {
+                phi_239_ = 1f;
             } else {
-                phi_234_ = _e79;
+                phi_239_ = _e80;
             }
-            let _e86 = phi_234_;
-            phi_235_ = _e86;
+            let _e87 = phi_239_;
+            phi_240_ = _e87;
         }
-        let _e88 = phi_235_;
-        phi_236_ = _e88;
+        let _e89 = phi_240_;
+        phi_241_ = _e89;
     }
-    let _e90 = phi_236_;
-    return _e90;
+    let _e91 = phi_241_;
+    return _e91;
 }
 
 fn function_() {
     var local: f32;
-    var phi_297_: bool;
-    var phi_298_: bool;
-    var phi_299_: bool;
-    var phi_300_: bool;
+    var phi_301_: bool;
+    var phi_302_: bool;
+    var phi_303_: bool;
     var phi_304_: bool;
-    var phi_348_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_352_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_372_: lt_math_LightPoint;
-    var phi_375_: u32;
-    var phi_377_: lt_math_LevelPoint;
-    var phi_463_: bool;
-    var phi_472_: bool;
-    var phi_481_: bool;
-    var phi_482_: bool;
-    var phi_483_: bool;
-    var phi_484_: bool;
-    var phi_485_: bool;
-    var phi_486_: bool;
-    var phi_487_: bool;
-    var phi_491_: bool;
-    var phi_518_: bool;
-    var phi_519_: bool;
-    var phi_520_: bool;
-    var phi_521_: bool;
-    var phi_522_: bool;
-    var phi_523_: bool;
+    var phi_308_: bool;
+    var phi_378_: bool;
+    var phi_379_: bool;
+    var phi_390_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_391_: bool;
+    var phi_392_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_393_: bool;
+    var phi_400_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_404_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_424_: lt_math_LightPoint;
+    var phi_427_: u32;
+    var phi_429_: lt_math_LevelPoint;
+    var phi_515_: bool;
     var phi_524_: bool;
-    var phi_525_: bool;
-    var phi_529_: bool;
-    var phi_538_: lt_math_LightPoint;
-    var phi_539_: u32;
-    var phi_540_: lt_math_LevelPoint;
-    var phi_541_: bool;
-    var phi_373_: lt_math_LightPoint;
-    var phi_376_: u32;
-    var phi_378_: lt_math_LevelPoint;
-    var phi_542_: bool;
+    var phi_533_: bool;
+    var phi_534_: bool;
+    var phi_535_: bool;
+    var phi_536_: bool;
+    var phi_537_: bool;
+    var phi_538_: bool;
+    var phi_539_: bool;
+    var phi_543_: bool;
+    var phi_570_: bool;
+    var phi_571_: bool;
+    var phi_572_: bool;
+    var phi_573_: bool;
+    var phi_574_: bool;
+    var phi_575_: bool;
+    var phi_576_: bool;
+    var phi_577_: bool;
+    var phi_581_: bool;
+    var phi_590_: lt_math_LightPoint;
+    var phi_591_: u32;
+    var phi_592_: lt_math_LevelPoint;
+    var phi_593_: bool;
+    var phi_425_: lt_math_LightPoint;
+    var phi_428_: u32;
+    var phi_430_: lt_math_LevelPoint;
+    var phi_594_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_582_: bool;
-    var phi_583_: bool;
-    var phi_584_: bool;
-    var phi_585_: bool;
-    var phi_589_: bool;
-    var phi_671_: f32;
-    var phi_787_: f32;
-    var phi_788_: f32;
-    var phi_791_: f32;
-    var phi_820_: f32;
-    var phi_825_: f32;
-    var phi_826_: bool;
-    var phi_827_: f32;
-    var phi_828_: bool;
-    var phi_832_: f32;
-    var phi_852_: f32;
-    var phi_857_: f32;
-    var phi_858_: bool;
-    var phi_859_: f32;
-    var phi_860_: bool;
-    var phi_864_: f32;
+    var phi_634_: bool;
+    var phi_635_: bool;
+    var phi_636_: bool;
+    var phi_637_: bool;
+    var phi_641_: bool;
+    var phi_723_: f32;
+    var phi_841_: f32;
+    var phi_842_: f32;
+    var phi_845_: f32;
+    var phi_874_: f32;
+    var phi_879_: f32;
+    var phi_880_: bool;
+    var phi_881_: f32;
+    var phi_882_: bool;
+    var phi_886_: f32;
+    var phi_906_: f32;
+    var phi_911_: f32;
+    var phi_912_: bool;
+    var phi_913_: f32;
+    var phi_914_: bool;
+    var phi_918_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_913_: i32;
-    var phi_918_: i32;
-    var phi_923_: i32;
-    var phi_928_: i32;
-    var phi_937_: i32;
-    var phi_942_: i32;
-    var phi_947_: i32;
-    var phi_952_: i32;
-    var phi_1047_: bool;
-    var phi_1055_: bool;
-    var phi_1067_: bool;
-    var phi_1068_: bool;
-    var phi_1072_: f32;
-    var phi_1078_: f32;
-    var phi_1080_: evaluate_Verdict;
-    var phi_1085_: evaluate_Verdict;
-    var phi_1086_: evaluate_Verdict;
+    var phi_967_: i32;
+    var phi_972_: i32;
+    var phi_977_: i32;
+    var phi_982_: i32;
+    var phi_991_: i32;
+    var phi_996_: i32;
+    var phi_1001_: i32;
+    var phi_1006_: i32;
+    var phi_1101_: bool;
+    var phi_1109_: bool;
+    var phi_1121_: bool;
+    var phi_1122_: bool;
+    var phi_1126_: f32;
+    var phi_1132_: f32;
+    var phi_1134_: evaluate_Verdict;
+    var phi_1139_: evaluate_Verdict;
+    var phi_1140_: evaluate_Verdict;
 
-    let _e40 = id_1;
-    let _e47 = arrayLength((&map.member));
-    let _e53 = arrayLength((&levels.member));
-    let _e56 = p.member.size[0u];
-    let _e58 = p.member.size[1u];
-    let _e59 = lt_shaders_entry_pixel_index(_e40, _e56, _e58);
-    if (bitcast<i32>(_e59.root) != 0i) {
-        let _e65 = p.member.level_count;
-        if (_e59.first_primitive < arrayLength((&samples.member))) {
+    let _e41 = id_1;
+    let _e48 = arrayLength((&map.member));
+    let _e54 = arrayLength((&levels.member));
+    let _e57 = p.member.size[0u];
+    let _e59 = p.member.size[1u];
+    let _e60 = lt_shaders_entry_pixel_index(_e41, _e57, _e59);
+    if (bitcast<i32>(_e60.root) != 0i) {
+        let _e66 = p.member.level_count;
+        if (_e60.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e70 = p.member.light;
-        let _e73 = samples.member[(0u + _e59.first_primitive)].normal[0u];
+        let _e73 = samples.member[(0u + _e60.first_primitive)].normal[0u];
         let _e75 = global[0u];
         if (_e73 == _e75) {
-            let _e78 = samples.member[(0u + _e59.first_primitive)].normal[1u];
+            let _e78 = samples.member[(0u + _e60.first_primitive)].normal[1u];
             let _e80 = global[1u];
             if (_e78 == _e80) {
-                let _e83 = samples.member[(0u + _e59.first_primitive)].normal[2u];
+                let _e83 = samples.member[(0u + _e60.first_primitive)].normal[2u];
                 let _e85 = global[2u];
-                phi_297_ = (_e83 == _e85);
-                phi_298_ = false;
+                phi_301_ = (_e83 == _e85);
+                phi_302_ = false;
             } else {
-                phi_297_ = bool();
-                phi_298_ = true;
+                phi_301_ = bool();
+                phi_302_ = true;
             }
-            let _e88 = phi_297_;
-            let _e90 = phi_298_;
-            phi_299_ = _e88;
-            phi_300_ = _e90;
+            let _e88 = phi_301_;
+            let _e90 = phi_302_;
+            phi_303_ = _e88;
+            phi_304_ = _e90;
         } else {
-            phi_299_ = bool();
-            phi_300_ = true;
+            phi_303_ = bool();
+            phi_304_ = true;
         }
-        let _e92 = phi_299_;
-        let _e94 = phi_300_;
+        let _e92 = phi_303_;
+        let _e94 = phi_304_;
         if _e94 {
-            phi_304_ = false;
+            phi_308_ = false;
         } else {
-            phi_304_ = _e92;
+            phi_308_ = _e92;
         }
-        let _e96 = phi_304_;
+        let _e96 = phi_308_;
         if !(_e96) {
-            let _e99 = samples.member[(0u + _e59.first_primitive)].normal;
-            let _e101 = samples.member[(0u + _e59.first_primitive)].position;
-            if ((((_e99.x * (_e70.x - (_e101.x * _e70.w))) + (_e99.y * (_e70.y - (_e101.y * _e70.w)))) + (_e99.z * (_e70.z - (_e101.z * _e70.w)))) > 0f) {
-                let _e125 = samples.member[(0u + _e59.first_primitive)].flags;
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e133.unnamed.visibility, false), _e133.unnamed_1);
-                phi_348_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e139.unnamed, ((_e125 & 1u) == 0u));
-            } else {
-                let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e148.unnamed.visibility, false), _e148.unnamed_1);
-                phi_348_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e154.unnamed, true);
-            }
-            let _e159 = phi_348_;
-            phi_352_ = _e159;
-        } else {
-            let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
-            phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, true);
-        }
-        let _e176 = phi_352_;
-        if _e176.unnamed_1 {
-            phi_1086_ = evaluate_Verdict(_e176.unnamed.visibility, _e176.unnamed.is_doubted);
-        } else {
-            let _e184 = samples.member[(0u + _e59.first_primitive)].position;
-            let _e186 = p.member.map_size;
-            let _e188 = (0.5f / f32(_e186));
-            let _e195 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e202 = lt_math_LightPoint(vec2<f32>(_e195.uv.x, 0f), _e195.depth, _e195.is_inside);
-            let _e206 = lt_math_LightPoint(_e202.uv, 0f, _e202.is_inside);
-            phi_372_ = lt_math_LightPoint();
-            phi_375_ = 0u;
-            phi_377_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e206.uv, _e206.depth, false));
-            loop {
-                let _e213 = phi_372_;
-                let _e215 = phi_375_;
-                let _e217 = phi_377_;
-                local_1 = _e217;
-                local_2 = _e217;
-                local_3 = _e217;
-                if (_e215 < _e65) {
-                    if _e217.point.is_inside {
-                        phi_538_ = lt_math_LightPoint();
-                        phi_539_ = u32();
-                        phi_540_ = lt_math_LevelPoint();
-                        phi_541_ = false;
+            let _e99 = samples.member[(0u + _e60.first_primitive)].position;
+            let _e101 = p.member.light.place;
+            let _e107 = p.member.light.place[3u];
+            let _e114 = (_e101.x - (_e99.x * _e107));
+            let _e115 = (_e101.y - (_e99.y * _e107));
+            let _e116 = (_e101.z - (_e99.z * _e107));
+            let _e118 = samples.member[(0u + _e60.first_primitive)].normal;
+            if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
+                let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
+                let _e134 = p.member.light.axis;
+                let _e146 = p.member.light.place[3u];
+                if (_e146 == 0f) {
+                    phi_379_ = true;
+                } else {
+                    let _e149 = p.member.light.range_squared;
+                    if (_e132 <= _e149) {
+                        let _e152 = p.member.light.cos_outer;
+                        phi_378_ = (-((((_e114 * _e134.x) + (_e115 * _e134.y)) + (_e116 * _e134.z))) >= (_e152 * sqrt(_e132)));
                     } else {
-                        if (_e215 < _e53) {
+                        phi_378_ = false;
+                    }
+                    let _e157 = phi_378_;
+                    phi_379_ = _e157;
+                }
+                let _e159 = phi_379_;
+                if _e159 {
+                    let _e161 = samples.member[(0u + _e60.first_primitive)].flags;
+                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
+                    phi_390_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
+                    phi_391_ = false;
+                } else {
+                    phi_390_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_391_ = true;
+                }
+                let _e180 = phi_390_;
+                let _e182 = phi_391_;
+                phi_392_ = _e180;
+                phi_393_ = _e182;
+            } else {
+                phi_392_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_393_ = true;
+            }
+            let _e184 = phi_392_;
+            let _e186 = phi_393_;
+            if _e186 {
+                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
+                phi_400_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
+            } else {
+                phi_400_ = _e184;
+            }
+            let _e203 = phi_400_;
+            phi_404_ = _e203;
+        } else {
+            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
+            phi_404_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
+        }
+        let _e220 = phi_404_;
+        if _e220.unnamed_1 {
+            phi_1140_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
+        } else {
+            let _e228 = samples.member[(0u + _e60.first_primitive)].position;
+            let _e230 = p.member.map_size;
+            let _e232 = (0.5f / f32(_e230));
+            let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e246 = lt_math_LightPoint(vec2<f32>(_e239.uv.x, 0f), _e239.depth, _e239.is_inside);
+            let _e250 = lt_math_LightPoint(_e246.uv, 0f, _e246.is_inside);
+            phi_424_ = lt_math_LightPoint();
+            phi_427_ = 0u;
+            phi_429_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e250.uv, _e250.depth, false));
+            loop {
+                let _e257 = phi_424_;
+                let _e259 = phi_427_;
+                let _e261 = phi_429_;
+                local_1 = _e261;
+                local_2 = _e261;
+                local_3 = _e261;
+                if (_e259 < _e66) {
+                    if _e261.point.is_inside {
+                        phi_590_ = lt_math_LightPoint();
+                        phi_591_ = u32();
+                        phi_592_ = lt_math_LevelPoint();
+                        phi_593_ = false;
+                    } else {
+                        if (_e259 < _e54) {
                         } else {
                             return;
                         }
-                        let _e228 = levels.member[(0u + _e215)].row_w;
-                        let _e239 = ((((_e228.x * _e184.x) + (_e228.y * _e184.y)) + (_e228.z * _e184.z)) + (_e228.w * 1f));
-                        let _e241 = levels.member[(0u + _e215)].row_x;
-                        let _e253 = (((((_e241.x * _e184.x) + (_e241.y * _e184.y)) + (_e241.z * _e184.z)) + (_e241.w * 1f)) / _e239);
-                        let _e255 = levels.member[(0u + _e215)].row_y;
-                        let _e267 = (((((_e255.x * _e184.x) + (_e255.y * _e184.y)) + (_e255.z * _e184.z)) + (_e255.w * 1f)) / _e239);
-                        let _e269 = levels.member[(0u + _e215)].row_z;
-                        let _e280 = ((((_e269.x * _e184.x) + (_e269.y * _e184.y)) + (_e269.z * _e184.z)) + (_e269.w * 1f));
-                        if (_e239 > 0f) {
-                            if (_e253 >= 0f) {
-                                phi_463_ = (_e253 <= 1f);
+                        let _e272 = levels.member[(0u + _e259)].row_w;
+                        let _e283 = ((((_e272.x * _e228.x) + (_e272.y * _e228.y)) + (_e272.z * _e228.z)) + (_e272.w * 1f));
+                        let _e285 = levels.member[(0u + _e259)].row_x;
+                        let _e297 = (((((_e285.x * _e228.x) + (_e285.y * _e228.y)) + (_e285.z * _e228.z)) + (_e285.w * 1f)) / _e283);
+                        let _e299 = levels.member[(0u + _e259)].row_y;
+                        let _e311 = (((((_e299.x * _e228.x) + (_e299.y * _e228.y)) + (_e299.z * _e228.z)) + (_e299.w * 1f)) / _e283);
+                        let _e313 = levels.member[(0u + _e259)].row_z;
+                        let _e324 = ((((_e313.x * _e228.x) + (_e313.y * _e228.y)) + (_e313.z * _e228.z)) + (_e313.w * 1f));
+                        if (_e283 > 0f) {
+                            if (_e297 >= 0f) {
+                                phi_515_ = (_e297 <= 1f);
                             } else {
-                                phi_463_ = false;
+                                phi_515_ = false;
                             }
-                            let _e285 = phi_463_;
-                            if _e285 {
-                                if (_e267 >= 0f) {
-                                    phi_472_ = (_e267 <= 1f);
+                            let _e329 = phi_515_;
+                            if _e329 {
+                                if (_e311 >= 0f) {
+                                    phi_524_ = (_e311 <= 1f);
                                 } else {
-                                    phi_472_ = false;
+                                    phi_524_ = false;
                                 }
-                                let _e289 = phi_472_;
-                                if _e289 {
-                                    if (_e280 >= 0f) {
-                                        phi_481_ = (_e280 <= 1f);
+                                let _e333 = phi_524_;
+                                if _e333 {
+                                    if (_e324 >= 0f) {
+                                        phi_533_ = (_e324 <= 1f);
                                     } else {
-                                        phi_481_ = false;
+                                        phi_533_ = false;
                                     }
-                                    let _e293 = phi_481_;
-                                    phi_482_ = _e293;
-                                    phi_483_ = false;
+                                    let _e337 = phi_533_;
+                                    phi_534_ = _e337;
+                                    phi_535_ = false;
                                 } else {
-                                    phi_482_ = bool();
-                                    phi_483_ = true;
+                                    phi_534_ = bool();
+                                    phi_535_ = true;
                                 }
-                                let _e295 = phi_482_;
-                                let _e297 = phi_483_;
-                                phi_484_ = _e295;
-                                phi_485_ = _e297;
+                                let _e339 = phi_534_;
+                                let _e341 = phi_535_;
+                                phi_536_ = _e339;
+                                phi_537_ = _e341;
                             } else {
-                                phi_484_ = bool();
-                                phi_485_ = true;
+                                phi_536_ = bool();
+                                phi_537_ = true;
                             }
-                            let _e299 = phi_484_;
-                            let _e301 = phi_485_;
-                            phi_486_ = _e299;
-                            phi_487_ = _e301;
+                            let _e343 = phi_536_;
+                            let _e345 = phi_537_;
+                            phi_538_ = _e343;
+                            phi_539_ = _e345;
                         } else {
-                            phi_486_ = bool();
-                            phi_487_ = true;
+                            phi_538_ = bool();
+                            phi_539_ = true;
                         }
-                        let _e303 = phi_486_;
-                        let _e305 = phi_487_;
-                        if _e305 {
-                            phi_491_ = false;
+                        let _e347 = phi_538_;
+                        let _e349 = phi_539_;
+                        if _e349 {
+                            phi_543_ = false;
                         } else {
-                            phi_491_ = _e303;
+                            phi_543_ = _e347;
                         }
-                        let _e307 = phi_491_;
-                        if _e307 {
-                            if (_e253 >= _e188) {
-                                if (_e253 <= (1f - _e188)) {
-                                    if (_e267 >= _e188) {
-                                        phi_518_ = (_e267 <= (1f - _e188));
-                                        phi_519_ = false;
+                        let _e351 = phi_543_;
+                        if _e351 {
+                            if (_e297 >= _e232) {
+                                if (_e297 <= (1f - _e232)) {
+                                    if (_e311 >= _e232) {
+                                        phi_570_ = (_e311 <= (1f - _e232));
+                                        phi_571_ = false;
                                     } else {
-                                        phi_518_ = bool();
-                                        phi_519_ = true;
+                                        phi_570_ = bool();
+                                        phi_571_ = true;
                                     }
-                                    let _e315 = phi_518_;
-                                    let _e317 = phi_519_;
-                                    phi_520_ = _e315;
-                                    phi_521_ = _e317;
+                                    let _e359 = phi_570_;
+                                    let _e361 = phi_571_;
+                                    phi_572_ = _e359;
+                                    phi_573_ = _e361;
                                 } else {
-                                    phi_520_ = bool();
-                                    phi_521_ = true;
+                                    phi_572_ = bool();
+                                    phi_573_ = true;
                                 }
-                                let _e319 = phi_520_;
-                                let _e321 = phi_521_;
-                                phi_522_ = _e319;
-                                phi_523_ = _e321;
+                                let _e363 = phi_572_;
+                                let _e365 = phi_573_;
+                                phi_574_ = _e363;
+                                phi_575_ = _e365;
                             } else {
-                                phi_522_ = bool();
-                                phi_523_ = true;
+                                phi_574_ = bool();
+                                phi_575_ = true;
                             }
-                            let _e323 = phi_522_;
-                            let _e325 = phi_523_;
-                            phi_524_ = _e323;
-                            phi_525_ = _e325;
+                            let _e367 = phi_574_;
+                            let _e369 = phi_575_;
+                            phi_576_ = _e367;
+                            phi_577_ = _e369;
                         } else {
-                            phi_524_ = bool();
-                            phi_525_ = true;
+                            phi_576_ = bool();
+                            phi_577_ = true;
                         }
-                        let _e327 = phi_524_;
-                        let _e329 = phi_525_;
-                        if _e329 {
-                            phi_529_ = false;
+                        let _e371 = phi_576_;
+                        let _e373 = phi_577_;
+                        if _e373 {
+                            phi_581_ = false;
                         } else {
-                            phi_529_ = _e327;
+                            phi_581_ = _e371;
                         }
-                        let _e331 = phi_529_;
-                        let _e338 = lt_math_LightPoint(vec2<f32>(_e253, _e213.uv.y), _e213.depth, _e213.is_inside);
-                        let _e345 = lt_math_LightPoint(vec2<f32>(_e338.uv.x, _e267), _e338.depth, _e338.is_inside);
-                        let _e349 = lt_math_LightPoint(_e345.uv, _e280, _e345.is_inside);
-                        let _e353 = lt_math_LightPoint(_e349.uv, _e349.depth, _e331);
-                        phi_538_ = _e353;
-                        phi_539_ = (_e215 + 1u);
-                        phi_540_ = lt_math_LevelPoint(_e215, _e353);
-                        phi_541_ = true;
+                        let _e375 = phi_581_;
+                        let _e382 = lt_math_LightPoint(vec2<f32>(_e297, _e257.uv.y), _e257.depth, _e257.is_inside);
+                        let _e389 = lt_math_LightPoint(vec2<f32>(_e382.uv.x, _e311), _e382.depth, _e382.is_inside);
+                        let _e393 = lt_math_LightPoint(_e389.uv, _e324, _e389.is_inside);
+                        let _e397 = lt_math_LightPoint(_e393.uv, _e393.depth, _e375);
+                        phi_590_ = _e397;
+                        phi_591_ = (_e259 + 1u);
+                        phi_592_ = lt_math_LevelPoint(_e259, _e397);
+                        phi_593_ = true;
                     }
-                    let _e357 = phi_538_;
-                    let _e359 = phi_539_;
-                    let _e361 = phi_540_;
-                    let _e363 = phi_541_;
-                    phi_373_ = _e357;
-                    phi_376_ = _e359;
-                    phi_378_ = _e361;
-                    phi_542_ = _e363;
+                    let _e401 = phi_590_;
+                    let _e403 = phi_591_;
+                    let _e405 = phi_592_;
+                    let _e407 = phi_593_;
+                    phi_425_ = _e401;
+                    phi_428_ = _e403;
+                    phi_430_ = _e405;
+                    phi_594_ = _e407;
                 } else {
-                    phi_373_ = lt_math_LightPoint();
-                    phi_376_ = u32();
-                    phi_378_ = lt_math_LevelPoint();
-                    phi_542_ = false;
+                    phi_425_ = lt_math_LightPoint();
+                    phi_428_ = u32();
+                    phi_430_ = lt_math_LevelPoint();
+                    phi_594_ = false;
                 }
-                let _e365 = phi_373_;
-                let _e367 = phi_376_;
-                let _e369 = phi_378_;
-                let _e371 = phi_542_;
+                let _e409 = phi_425_;
+                let _e411 = phi_428_;
+                let _e413 = phi_430_;
+                let _e415 = phi_594_;
                 continue;
                 continuing {
-                    phi_372_ = _e365;
-                    phi_375_ = _e367;
-                    phi_377_ = _e369;
-                    break if !(_e371);
+                    phi_424_ = _e409;
+                    phi_427_ = _e411;
+                    phi_429_ = _e413;
+                    break if !(_e415);
                 }
             }
-            let _e374 = local_1;
-            if _e374.point.is_inside {
+            let _e418 = local_1;
+            if _e418.point.is_inside {
                 if (0f > 0f) {
-                    let _e380 = local_2;
-                    if (_e380.level < _e53) {
+                    let _e424 = local_2;
+                    if (_e424.level < _e54) {
                     } else {
                         return;
                     }
-                    let _e385 = levels.member[(0u + _e380.level)];
-                    let _e391 = global[0u];
-                    if (_e385.row_w.x == _e391) {
-                        let _e394 = global[1u];
-                        if (_e385.row_w.y == _e394) {
-                            let _e397 = global[2u];
-                            phi_582_ = (_e385.row_w.z == _e397);
-                            phi_583_ = false;
+                    let _e429 = levels.member[(0u + _e424.level)];
+                    let _e435 = global[0u];
+                    if (_e429.row_w.x == _e435) {
+                        let _e438 = global[1u];
+                        if (_e429.row_w.y == _e438) {
+                            let _e441 = global[2u];
+                            phi_634_ = (_e429.row_w.z == _e441);
+                            phi_635_ = false;
                         } else {
-                            phi_582_ = bool();
-                            phi_583_ = true;
+                            phi_634_ = bool();
+                            phi_635_ = true;
                         }
-                        let _e400 = phi_582_;
-                        let _e402 = phi_583_;
-                        phi_584_ = _e400;
-                        phi_585_ = _e402;
+                        let _e444 = phi_634_;
+                        let _e446 = phi_635_;
+                        phi_636_ = _e444;
+                        phi_637_ = _e446;
                     } else {
-                        phi_584_ = bool();
-                        phi_585_ = true;
+                        phi_636_ = bool();
+                        phi_637_ = true;
                     }
-                    let _e404 = phi_584_;
-                    let _e406 = phi_585_;
-                    if _e406 {
-                        phi_589_ = false;
+                    let _e448 = phi_636_;
+                    let _e450 = phi_637_;
+                    if _e450 {
+                        phi_641_ = false;
                     } else {
-                        phi_589_ = _e404;
+                        phi_641_ = _e448;
                     }
-                    let _e408 = phi_589_;
-                    if _e408 {
-                        let _e410 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e412 = p.member.map_size;
-                        let _e482 = ((abs(((((_e385.row_x.x * _e410.x) + (_e385.row_x.y * _e410.y)) + (_e385.row_x.z * _e410.z)) / (((_e385.row_x.x * _e385.row_x.x) + (_e385.row_x.y * _e385.row_x.y)) + (_e385.row_x.z * _e385.row_x.z)))) + abs(((((_e385.row_y.x * _e410.x) + (_e385.row_y.y * _e410.y)) + (_e385.row_y.z * _e410.z)) / (((_e385.row_y.x * _e385.row_y.x) + (_e385.row_y.y * _e385.row_y.y)) + (_e385.row_y.z * _e385.row_y.z))))) / (abs(((((_e385.row_z.x * _e410.x) + (_e385.row_z.y * _e410.y)) + (_e385.row_z.z * _e410.z)) / (((_e385.row_z.x * _e385.row_z.x) + (_e385.row_z.y * _e385.row_z.y)) + (_e385.row_z.z * _e385.row_z.z)))) * f32(_e412)));
-                        if (_e482 < 0.002f) {
-                            phi_671_ = _e482;
+                    let _e452 = phi_641_;
+                    if _e452 {
+                        let _e454 = samples.member[(0u + _e60.first_primitive)].normal;
+                        let _e456 = p.member.map_size;
+                        let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
+                        if (_e526 < 0.002f) {
+                            phi_723_ = _e526;
                         } else {
-                            phi_671_ = 0.002f;
+                            phi_723_ = 0.002f;
                         }
-                        let _e485 = phi_671_;
-                        phi_788_ = _e485;
+                        let _e529 = phi_723_;
+                        phi_842_ = _e529;
                     } else {
-                        let _e487 = p.member.map_size;
-                        let _e493 = samples.member[(0u + _e59.first_primitive)].position;
-                        let _e504 = ((((_e385.row_w.x * _e493.x) + (_e385.row_w.y * _e493.y)) + (_e385.row_w.z * _e493.z)) + _e385.row_w.w);
-                        let _e517 = ((_e385.row_x.x - (_e385.row_w.x * _e374.point.uv.x)) / _e504);
-                        let _e518 = ((_e385.row_x.y - (_e385.row_w.y * _e374.point.uv.x)) / _e504);
-                        let _e519 = ((_e385.row_x.z - (_e385.row_w.z * _e374.point.uv.x)) / _e504);
-                        let _e532 = ((_e385.row_y.x - (_e385.row_w.x * _e374.point.uv.y)) / _e504);
-                        let _e533 = ((_e385.row_y.y - (_e385.row_w.y * _e374.point.uv.y)) / _e504);
-                        let _e534 = ((_e385.row_y.z - (_e385.row_w.z * _e374.point.uv.y)) / _e504);
-                        let _e540 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e545 = ((_e533 * _e540.z) - (_e540.y * _e534));
-                        let _e550 = ((_e534 * _e540.x) - (_e540.z * _e532));
-                        let _e555 = ((_e532 * _e540.y) - (_e540.x * _e533));
-                        let _e557 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e562 = ((_e518 * _e557.z) - (_e557.y * _e519));
-                        let _e567 = ((_e519 * _e557.x) - (_e557.z * _e517));
-                        let _e572 = ((_e517 * _e557.y) - (_e557.x * _e518));
-                        let _e599 = ((abs(((((_e385.row_z.x * _e545) + (_e385.row_z.y * _e550)) + (_e385.row_z.z * _e555)) / (((_e517 * _e545) + (_e518 * _e550)) + (_e519 * _e555)))) + abs(((((_e385.row_z.x * _e562) + (_e385.row_z.y * _e567)) + (_e385.row_z.z * _e572)) / (((_e532 * _e562) + (_e533 * _e567)) + (_e534 * _e572))))) / f32(_e487));
-                        if (_e599 < 0.002f) {
-                            phi_787_ = _e599;
+                        let _e531 = p.member.map_size;
+                        let _e537 = samples.member[(0u + _e60.first_primitive)].position;
+                        let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
+                        let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
+                        let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
+                        let _e563 = ((_e429.row_x.z - (_e429.row_w.z * _e418.point.uv.x)) / _e548);
+                        let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
+                        let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
+                        let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
+                        let _e584 = samples.member[(0u + _e60.first_primitive)].normal;
+                        let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
+                        let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
+                        let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
+                        let _e601 = samples.member[(0u + _e60.first_primitive)].normal;
+                        let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
+                        let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
+                        let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
+                        let _e643 = ((abs(((((_e429.row_z.x * _e589) + (_e429.row_z.y * _e594)) + (_e429.row_z.z * _e599)) / (((_e561 * _e589) + (_e562 * _e594)) + (_e563 * _e599)))) + abs(((((_e429.row_z.x * _e606) + (_e429.row_z.y * _e611)) + (_e429.row_z.z * _e616)) / (((_e576 * _e606) + (_e577 * _e611)) + (_e578 * _e616))))) / f32(_e531));
+                        let _e645 = (16f / f32(_e531));
+                        if (_e643 < _e645) {
+                            phi_841_ = _e643;
                         } else {
-                            phi_787_ = 0.002f;
+                            phi_841_ = _e645;
                         }
-                        let _e602 = phi_787_;
-                        phi_788_ = _e602;
+                        let _e648 = phi_841_;
+                        phi_842_ = _e648;
                     }
-                    let _e604 = phi_788_;
-                    phi_791_ = (_e374.point.depth - (0f * _e604));
+                    let _e650 = phi_842_;
+                    phi_845_ = (_e418.point.depth - (0f * _e650));
                 } else {
-                    phi_791_ = _e374.point.depth;
+                    phi_845_ = _e418.point.depth;
                 }
-                let _e608 = phi_791_;
-                let _e614 = p.member.map_size;
-                let _e615 = f32(_e614);
-                let _e618 = ((_e374.point.uv.x * _e615) - 0.5f);
-                let _e619 = ((_e374.point.uv.y * _e615) - 0.5f);
-                if (_e618 > -8388608f) {
-                    let _e631 = f32(select(0i, select(select(i32(_e618), i32(-2147483648), (_e618 < bitcast<f32>(3472883712u))), 2147483647i, (_e618 > bitcast<f32>(1325400063u))), (_e618 == _e618)));
-                    if (_e631 > _e618) {
-                        phi_820_ = 1f;
+                let _e654 = phi_845_;
+                let _e660 = p.member.map_size;
+                let _e661 = f32(_e660);
+                let _e664 = ((_e418.point.uv.x * _e661) - 0.5f);
+                let _e665 = ((_e418.point.uv.y * _e661) - 0.5f);
+                if (_e664 > -8388608f) {
+                    let _e677 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e677 > _e664) {
+                        phi_874_ = 1f;
                     } else {
-                        phi_820_ = 0f;
+                        phi_874_ = 0f;
                     }
-                    let _e634 = phi_820_;
-                    if (_e618 < 8388608f) {
-                        phi_825_ = (_e631 - _e634);
-                        phi_826_ = false;
+                    let _e680 = phi_874_;
+                    if (_e664 < 8388608f) {
+                        phi_879_ = (_e677 - _e680);
+                        phi_880_ = false;
                     } else {
-                        phi_825_ = f32();
-                        phi_826_ = true;
+                        phi_879_ = f32();
+                        phi_880_ = true;
                     }
-                    let _e637 = phi_825_;
-                    let _e639 = phi_826_;
-                    phi_827_ = _e637;
-                    phi_828_ = _e639;
+                    let _e683 = phi_879_;
+                    let _e685 = phi_880_;
+                    phi_881_ = _e683;
+                    phi_882_ = _e685;
                 } else {
-                    phi_827_ = f32();
-                    phi_828_ = true;
+                    phi_881_ = f32();
+                    phi_882_ = true;
                 }
-                let _e641 = phi_827_;
-                let _e643 = phi_828_;
-                if _e643 {
-                    phi_832_ = _e618;
+                let _e687 = phi_881_;
+                let _e689 = phi_882_;
+                if _e689 {
+                    phi_886_ = _e664;
                 } else {
-                    phi_832_ = _e641;
+                    phi_886_ = _e687;
                 }
-                let _e645 = phi_832_;
-                if (_e619 > -8388608f) {
-                    let _e657 = f32(select(0i, select(select(i32(_e619), i32(-2147483648), (_e619 < bitcast<f32>(3472883712u))), 2147483647i, (_e619 > bitcast<f32>(1325400063u))), (_e619 == _e619)));
-                    if (_e657 > _e619) {
-                        phi_852_ = 1f;
+                let _e691 = phi_886_;
+                if (_e665 > -8388608f) {
+                    let _e703 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
+                    if (_e703 > _e665) {
+                        phi_906_ = 1f;
                     } else {
-                        phi_852_ = 0f;
+                        phi_906_ = 0f;
                     }
-                    let _e660 = phi_852_;
-                    if (_e619 < 8388608f) {
-                        phi_857_ = (_e657 - _e660);
-                        phi_858_ = false;
+                    let _e706 = phi_906_;
+                    if (_e665 < 8388608f) {
+                        phi_911_ = (_e703 - _e706);
+                        phi_912_ = false;
                     } else {
-                        phi_857_ = f32();
-                        phi_858_ = true;
+                        phi_911_ = f32();
+                        phi_912_ = true;
                     }
-                    let _e663 = phi_857_;
-                    let _e665 = phi_858_;
-                    phi_859_ = _e663;
-                    phi_860_ = _e665;
+                    let _e709 = phi_911_;
+                    let _e711 = phi_912_;
+                    phi_913_ = _e709;
+                    phi_914_ = _e711;
                 } else {
-                    phi_859_ = f32();
-                    phi_860_ = true;
+                    phi_913_ = f32();
+                    phi_914_ = true;
                 }
-                let _e667 = phi_859_;
-                let _e669 = phi_860_;
-                if _e669 {
-                    phi_864_ = _e619;
+                let _e713 = phi_913_;
+                let _e715 = phi_914_;
+                if _e715 {
+                    phi_918_ = _e665;
                 } else {
-                    phi_864_ = _e667;
-                }
-                let _e671 = phi_864_;
-                let _e672 = (_e618 - _e645);
-                let _e673 = (_e619 - _e671);
-                let _e682 = select(0i, select(select(i32(_e645), i32(-2147483648), (_e645 < bitcast<f32>(3472883712u))), 2147483647i, (_e645 > bitcast<f32>(1325400063u))), (_e645 == _e645));
-                let _e691 = select(0i, select(select(i32(_e671), i32(-2147483648), (_e671 < bitcast<f32>(3472883712u))), 2147483647i, (_e671 > bitcast<f32>(1325400063u))), (_e671 == _e671));
-                let _e694 = ((1f - _e672) * (1f - _e673));
-                let _e696 = (_e672 * (1f - _e673));
-                let _e698 = ((1f - _e672) * _e673);
-                let _e699 = (_e672 * _e673);
-                let _e701 = p.member.test;
-                let _e702 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e701);
-                let _e704 = p.member.map_size;
-                let _e706 = local_3;
-                local = _e702;
-                let _e709 = ((_e706.level * _e704) * _e704);
-                let _e711 = (bitcast<i32>(_e704) - 1i);
-                if (_e682 > 0i) {
-                    phi_913_ = _e682;
-                } else {
-                    phi_913_ = 0i;
-                }
-                let _e714 = phi_913_;
-                if (_e691 > 0i) {
-                    phi_918_ = _e691;
-                } else {
-                    phi_918_ = 0i;
+                    phi_918_ = _e713;
                 }
                 let _e717 = phi_918_;
-                if (_e714 < _e711) {
-                    phi_923_ = _e714;
+                let _e718 = (_e664 - _e691);
+                let _e719 = (_e665 - _e717);
+                let _e728 = select(0i, select(select(i32(_e691), i32(-2147483648), (_e691 < bitcast<f32>(3472883712u))), 2147483647i, (_e691 > bitcast<f32>(1325400063u))), (_e691 == _e691));
+                let _e737 = select(0i, select(select(i32(_e717), i32(-2147483648), (_e717 < bitcast<f32>(3472883712u))), 2147483647i, (_e717 > bitcast<f32>(1325400063u))), (_e717 == _e717));
+                let _e740 = ((1f - _e718) * (1f - _e719));
+                let _e742 = (_e718 * (1f - _e719));
+                let _e744 = ((1f - _e718) * _e719);
+                let _e745 = (_e718 * _e719);
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_3;
+                local = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
+                if (_e728 > 0i) {
+                    phi_967_ = _e728;
                 } else {
-                    phi_923_ = _e711;
+                    phi_967_ = 0i;
                 }
-                let _e720 = phi_923_;
-                if (_e717 < _e711) {
-                    phi_928_ = _e717;
+                let _e760 = phi_967_;
+                if (_e737 > 0i) {
+                    phi_972_ = _e737;
                 } else {
-                    phi_928_ = _e711;
+                    phi_972_ = 0i;
                 }
-                let _e723 = phi_928_;
-                let _e724 = bitcast<u32>(_e720);
-                let _e726 = (_e682 + 1i);
-                let _e727 = (_e691 + 1i);
-                if (_e726 > 0i) {
-                    phi_937_ = _e726;
+                let _e763 = phi_972_;
+                if (_e760 < _e757) {
+                    phi_977_ = _e760;
                 } else {
-                    phi_937_ = 0i;
+                    phi_977_ = _e757;
                 }
-                let _e730 = phi_937_;
-                if (_e727 > 0i) {
-                    phi_942_ = _e727;
+                let _e766 = phi_977_;
+                if (_e763 < _e757) {
+                    phi_982_ = _e763;
                 } else {
-                    phi_942_ = 0i;
+                    phi_982_ = _e757;
                 }
-                let _e733 = phi_942_;
-                if (_e730 < _e711) {
-                    phi_947_ = _e730;
+                let _e769 = phi_982_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e728 + 1i);
+                let _e773 = (_e737 + 1i);
+                if (_e772 > 0i) {
+                    phi_991_ = _e772;
                 } else {
-                    phi_947_ = _e711;
+                    phi_991_ = 0i;
                 }
-                let _e736 = phi_947_;
-                if (_e733 < _e711) {
-                    phi_952_ = _e733;
+                let _e776 = phi_991_;
+                if (_e773 > 0i) {
+                    phi_996_ = _e773;
                 } else {
-                    phi_952_ = _e711;
+                    phi_996_ = 0i;
                 }
-                let _e739 = phi_952_;
-                let _e740 = bitcast<u32>(_e736);
-                let _e742 = (bitcast<u32>(_e723) * _e704);
-                let _e743 = (bitcast<u32>(_e739) * _e704);
-                let _e748 = ((_e742 + _e724) + _e709);
-                let _e749 = ((_e742 + _e740) + _e709);
-                let _e750 = ((_e743 + _e724) + _e709);
-                let _e751 = ((_e743 + _e740) + _e709);
-                if (_e748 < _e47) {
+                let _e779 = phi_996_;
+                if (_e776 < _e757) {
+                    phi_1001_ = _e776;
+                } else {
+                    phi_1001_ = _e757;
+                }
+                let _e782 = phi_1001_;
+                if (_e779 < _e757) {
+                    phi_1006_ = _e779;
+                } else {
+                    phi_1006_ = _e757;
+                }
+                let _e785 = phi_1006_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e48) {
                 } else {
                     return;
                 }
-                let _e755 = map.member[(0u + _e748)];
-                if (_e749 < _e47) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e48) {
                 } else {
                     return;
                 }
-                let _e767 = map.member[(0u + _e749)];
-                if (_e750 < _e47) {
+                let _e813 = map.member[(0u + _e795)];
+                if (_e796 < _e48) {
                 } else {
                     return;
                 }
-                let _e783 = map.member[(0u + _e750)];
-                if (_e751 < _e47) {
+                let _e829 = map.member[(0u + _e796)];
+                if (_e797 < _e48) {
                 } else {
                     return;
                 }
-                let _e799 = map.member[(0u + _e751)];
-                let _e813 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e755.x * _e694) + (_e767.x * _e696)) + (_e783.x * _e698)) + (_e799.x * _e699)), ((((_e755.y * _e694) + (_e767.y * _e696)) + (_e783.y * _e698)) + (_e799.y * _e699)), ((((_e755.z * _e694) + (_e767.z * _e696)) + (_e783.z * _e698)) + (_e799.z * _e699)), ((((_e755.w * _e694) + (_e767.w * _e696)) + (_e783.w * _e698)) + (_e799.w * _e699))), _e608);
-                let _e815 = p.member.epsilon;
-                if (_e813 <= _e815) {
-                    phi_1047_ = true;
+                let _e845 = map.member[(0u + _e797)];
+                let _e859 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e801.x * _e740) + (_e813.x * _e742)) + (_e829.x * _e744)) + (_e845.x * _e745)), ((((_e801.y * _e740) + (_e813.y * _e742)) + (_e829.y * _e744)) + (_e845.y * _e745)), ((((_e801.z * _e740) + (_e813.z * _e742)) + (_e829.z * _e744)) + (_e845.z * _e745)), ((((_e801.w * _e740) + (_e813.w * _e742)) + (_e829.w * _e744)) + (_e845.w * _e745))), _e654);
+                let _e861 = p.member.epsilon;
+                if (_e859 <= _e861) {
+                    phi_1101_ = true;
                 } else {
-                    phi_1047_ = (_e813 >= (1f - _e815));
+                    phi_1101_ = (_e859 >= (1f - _e861));
                 }
-                let _e820 = phi_1047_;
-                if ((bitcast<u32>(_e813) & 2147483647u) > 2139095040u) {
-                    phi_1055_ = true;
+                let _e866 = phi_1101_;
+                if ((bitcast<u32>(_e859) & 2147483647u) > 2139095040u) {
+                    phi_1109_ = true;
                 } else {
-                    phi_1055_ = !(_e820);
+                    phi_1109_ = !(_e866);
                 }
-                let _e826 = phi_1055_;
-                if _e826 {
-                    if (_e813 > 0f) {
-                        if (_e813 < 1f) {
-                            phi_1067_ = false;
+                let _e872 = phi_1109_;
+                if _e872 {
+                    if (_e859 > 0f) {
+                        if (_e859 < 1f) {
+                            phi_1121_ = false;
                         } else {
-                            phi_1067_ = true;
+                            phi_1121_ = true;
                         }
-                        let _e830 = phi_1067_;
-                        phi_1068_ = _e830;
+                        let _e876 = phi_1121_;
+                        phi_1122_ = _e876;
                     } else {
-                        phi_1068_ = true;
+                        phi_1122_ = true;
                     }
-                    let _e832 = phi_1068_;
-                    if _e832 {
-                        phi_1072_ = 0.5f;
+                    let _e878 = phi_1122_;
+                    if _e878 {
+                        phi_1126_ = 0.5f;
                     } else {
-                        phi_1072_ = _e813;
+                        phi_1126_ = _e859;
                     }
-                    let _e834 = phi_1072_;
-                    phi_1080_ = evaluate_Verdict(_e834, true);
+                    let _e880 = phi_1126_;
+                    phi_1134_ = evaluate_Verdict(_e880, true);
                 } else {
-                    if (_e813 > 0.5f) {
-                        phi_1078_ = 1f;
+                    if (_e859 > 0.5f) {
+                        phi_1132_ = 1f;
                     } else {
-                        phi_1078_ = 0f;
+                        phi_1132_ = 0f;
                     }
-                    let _e838 = phi_1078_;
-                    phi_1080_ = evaluate_Verdict(_e838, false);
+                    let _e884 = phi_1132_;
+                    phi_1134_ = evaluate_Verdict(_e884, false);
                 }
-                let _e841 = phi_1080_;
-                phi_1085_ = evaluate_Verdict(_e841.visibility, _e841.is_doubted);
+                let _e887 = phi_1134_;
+                phi_1139_ = evaluate_Verdict(_e887.visibility, _e887.is_doubted);
             } else {
-                phi_1085_ = evaluate_Verdict(0.5f, true);
+                phi_1139_ = evaluate_Verdict(0.5f, true);
             }
-            let _e847 = phi_1085_;
-            phi_1086_ = _e847;
+            let _e893 = phi_1139_;
+            phi_1140_ = _e893;
         }
-        let _e849 = phi_1086_;
-        if (_e59.first_primitive < arrayLength((&visibility.member))) {
+        let _e895 = phi_1140_;
+        if (_e60.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e59.first_primitive)] = _e849.visibility;
+        visibility.member[(0u + _e60.first_primitive)] = _e895.visibility;
     }
     return;
 }

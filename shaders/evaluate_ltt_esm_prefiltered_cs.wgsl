@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -34,7 +43,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<vec4<f32>>,
 }
 
@@ -47,18 +56,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: abi_ShadowParams,
 }
 
@@ -66,7 +75,7 @@ struct lt_math_OneLevel {
     projection: lt_math_LightProjection,
 }
 
-struct type_48 {
+struct type_50 {
     member: array<atomic<u32>>,
 }
 
@@ -77,45 +86,45 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_41;
+var<uniform> p: type_43;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_48;
+var<storage, read_write> list: type_50;
 @group(0) @binding(2) 
-var<storage> map: type_37;
+var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_160_: lt_bvh_traverse_Tree;
-    var phi_161_: bool;
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_167_: bool;
+    var phi_172_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_161_ = false;
+            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_165_ = false;
         } else {
-            phi_160_ = lt_bvh_traverse_Tree();
-            phi_161_ = true;
+            phi_164_ = lt_bvh_traverse_Tree();
+            phi_165_ = true;
         }
-        let _e63 = phi_160_;
-        let _e65 = phi_161_;
-        phi_162_ = _e63;
-        phi_163_ = _e65;
+        let _e63 = phi_164_;
+        let _e65 = phi_165_;
+        phi_166_ = _e63;
+        phi_167_ = _e65;
     } else {
-        phi_162_ = lt_bvh_traverse_Tree();
-        phi_163_ = true;
+        phi_166_ = lt_bvh_traverse_Tree();
+        phi_167_ = true;
     }
-    let _e67 = phi_162_;
-    let _e69 = phi_163_;
+    let _e67 = phi_166_;
+    let _e69 = phi_167_;
     if _e69 {
-        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_168_ = _e67;
+        phi_172_ = _e67;
     }
-    let _e74 = phi_168_;
+    let _e74 = phi_172_;
     return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
@@ -124,191 +133,197 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_188_: bool;
-    var phi_192_: f32;
+    var phi_192_: bool;
+    var phi_196_: f32;
 
     let _e51 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_188_ = true;
+        phi_192_ = true;
     } else {
         let _e55 = (84f < _e51);
         if _e55 {
         }
-        phi_188_ = _e55;
+        phi_192_ = _e55;
     }
-    let _e57 = phi_188_;
+    let _e57 = phi_192_;
     if _e57 {
-        phi_192_ = 84f;
+        phi_196_ = 84f;
     } else {
-        phi_192_ = _e51;
+        phi_196_ = _e51;
     }
-    let _e59 = phi_192_;
+    let _e59 = phi_196_;
     return _e59;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_211_: f32;
-    var phi_212_: f32;
-    var phi_213_: f32;
-    var phi_228_: f32;
-    var phi_233_: f32;
-    var phi_255_: f32;
-    var phi_260_: f32;
-    var phi_261_: bool;
-    var phi_262_: f32;
-    var phi_263_: bool;
-    var phi_267_: f32;
-    var phi_305_: f32;
-    var phi_321_: f32;
-    var phi_322_: f32;
-    var phi_323_: f32;
+    var phi_215_: f32;
+    var phi_216_: f32;
+    var phi_217_: f32;
+    var phi_232_: f32;
+    var phi_237_: f32;
+    var phi_259_: f32;
+    var phi_264_: f32;
+    var phi_265_: bool;
+    var phi_266_: f32;
+    var phi_267_: bool;
+    var phi_271_: f32;
+    var phi_309_: f32;
+    var phi_325_: f32;
+    var phi_326_: f32;
+    var phi_327_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_213_ = param_7;
+        phi_217_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_212_ = 0f;
+            phi_216_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_211_ = 1f;
+                phi_215_ = 1f;
             } else {
-                phi_211_ = param_7;
+                phi_215_ = param_7;
             }
-            let _e59 = phi_211_;
-            phi_212_ = _e59;
+            let _e59 = phi_215_;
+            phi_216_ = _e59;
         }
-        let _e61 = phi_212_;
-        phi_213_ = _e61;
+        let _e61 = phi_216_;
+        phi_217_ = _e61;
     }
-    let _e63 = phi_213_;
+    let _e63 = phi_217_;
     let _e65 = _lt_math_esm_Esm_clamped_exponent(param_5);
     let _e67 = (_e65 * (1f - _e63));
     if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
-        phi_305_ = _e67;
+        phi_309_ = _e67;
     } else {
         if (_e67 < -87f) {
-            phi_228_ = -87f;
+            phi_232_ = -87f;
         } else {
-            phi_228_ = _e67;
+            phi_232_ = _e67;
         }
-        let _e73 = phi_228_;
+        let _e73 = phi_232_;
         if (_e73 > 88f) {
-            phi_233_ = 88f;
+            phi_237_ = 88f;
         } else {
-            phi_233_ = _e73;
+            phi_237_ = _e73;
         }
-        let _e76 = phi_233_;
+        let _e76 = phi_237_;
         let _e78 = ((_e76 * 1.442695f) + 0.5f);
         if (_e78 > -8388608f) {
             let _e90 = f32(select(0i, select(select(i32(_e78), i32(-2147483648), (_e78 < bitcast<f32>(3472883712u))), 2147483647i, (_e78 > bitcast<f32>(1325400063u))), (_e78 == _e78)));
             if (_e90 > _e78) {
-                phi_255_ = 1f;
+                phi_259_ = 1f;
             } else {
-                phi_255_ = 0f;
+                phi_259_ = 0f;
             }
-            let _e93 = phi_255_;
+            let _e93 = phi_259_;
             if (_e78 < 8388608f) {
-                phi_260_ = (_e90 - _e93);
-                phi_261_ = false;
+                phi_264_ = (_e90 - _e93);
+                phi_265_ = false;
             } else {
-                phi_260_ = f32();
-                phi_261_ = true;
+                phi_264_ = f32();
+                phi_265_ = true;
             }
-            let _e96 = phi_260_;
-            let _e98 = phi_261_;
-            phi_262_ = _e96;
-            phi_263_ = _e98;
+            let _e96 = phi_264_;
+            let _e98 = phi_265_;
+            phi_266_ = _e96;
+            phi_267_ = _e98;
         } else {
-            phi_262_ = f32();
-            phi_263_ = true;
+            phi_266_ = f32();
+            phi_267_ = true;
         }
-        let _e100 = phi_262_;
-        let _e102 = phi_263_;
+        let _e100 = phi_266_;
+        let _e102 = phi_267_;
         if _e102 {
-            phi_267_ = _e78;
+            phi_271_ = _e78;
         } else {
-            phi_267_ = _e100;
+            phi_271_ = _e100;
         }
-        let _e104 = phi_267_;
+        let _e104 = phi_271_;
         let _e108 = ((_e76 - (_e104 * 0.69314575f)) - (_e104 * 0.0000014286068f));
-        phi_305_ = ((((((((((((((((1f / 5040f) * _e108) + (1f / 720f)) * _e108) + (1f / 120f)) * _e108) + (1f / 24f)) * _e108) + (1f / 6f)) * _e108) + 0.5f) * _e108) + 1f) * _e108) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < bitcast<f32>(3472883712u))), 2147483647i, (_e104 > bitcast<f32>(1325400063u))), (_e104 == _e104)) + 127i)) << bitcast<u32>(23i))));
+        phi_309_ = ((((((((((((((((1f / 5040f) * _e108) + (1f / 720f)) * _e108) + (1f / 120f)) * _e108) + (1f / 24f)) * _e108) + (1f / 6f)) * _e108) + 0.5f) * _e108) + 1f) * _e108) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < bitcast<f32>(3472883712u))), 2147483647i, (_e104 > bitcast<f32>(1325400063u))), (_e104 == _e104)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e144 = phi_305_;
+    let _e144 = phi_309_;
     let _e145 = (param_6.x * _e144);
     if ((bitcast<u32>(_e145) & 2147483647u) > 2139095040u) {
-        phi_323_ = _e145;
+        phi_327_ = _e145;
     } else {
         if (_e145 < 0f) {
-            phi_322_ = 0f;
+            phi_326_ = 0f;
         } else {
             if (_e145 > 1f) {
-                phi_321_ = 1f;
+                phi_325_ = 1f;
             } else {
-                phi_321_ = _e145;
+                phi_325_ = _e145;
             }
-            let _e152 = phi_321_;
-            phi_322_ = _e152;
+            let _e152 = phi_325_;
+            phi_326_ = _e152;
         }
-        let _e154 = phi_322_;
-        phi_323_ = _e154;
+        let _e154 = phi_326_;
+        phi_327_ = _e154;
     }
-    let _e156 = phi_323_;
+    let _e156 = phi_327_;
     return _e156;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_375_: bool;
-    var phi_376_: bool;
-    var phi_377_: bool;
     var phi_378_: bool;
-    var phi_382_: bool;
-    var phi_426_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_430_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_504_: bool;
-    var phi_513_: bool;
-    var phi_522_: bool;
-    var phi_523_: bool;
-    var phi_524_: bool;
-    var phi_525_: bool;
-    var phi_526_: bool;
-    var phi_527_: bool;
-    var phi_528_: bool;
-    var phi_532_: bool;
-    var phi_622_: f32;
-    var phi_625_: f32;
-    var phi_654_: f32;
-    var phi_659_: f32;
-    var phi_660_: bool;
-    var phi_661_: f32;
-    var phi_662_: bool;
-    var phi_666_: f32;
-    var phi_686_: f32;
-    var phi_691_: f32;
-    var phi_692_: bool;
-    var phi_693_: f32;
-    var phi_694_: bool;
-    var phi_698_: f32;
-    var phi_746_: i32;
-    var phi_751_: i32;
-    var phi_756_: i32;
-    var phi_761_: i32;
-    var phi_770_: i32;
-    var phi_775_: i32;
-    var phi_780_: i32;
-    var phi_785_: i32;
-    var phi_880_: bool;
-    var phi_888_: bool;
-    var phi_900_: bool;
-    var phi_901_: bool;
-    var phi_905_: f32;
-    var phi_911_: f32;
-    var phi_913_: evaluate_Verdict;
-    var phi_918_: evaluate_Verdict;
-    var phi_919_: evaluate_Verdict;
-    var phi_923_: bool;
-    var phi_924_: u32;
-    var phi_935_: u32;
+    var phi_379_: bool;
+    var phi_380_: bool;
+    var phi_381_: bool;
+    var phi_385_: bool;
+    var phi_455_: bool;
+    var phi_456_: bool;
+    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_468_: bool;
+    var phi_469_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_470_: bool;
+    var phi_477_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_481_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_555_: bool;
+    var phi_564_: bool;
+    var phi_573_: bool;
+    var phi_574_: bool;
+    var phi_575_: bool;
+    var phi_576_: bool;
+    var phi_577_: bool;
+    var phi_578_: bool;
+    var phi_579_: bool;
+    var phi_583_: bool;
+    var phi_673_: f32;
+    var phi_676_: f32;
+    var phi_705_: f32;
+    var phi_710_: f32;
+    var phi_711_: bool;
+    var phi_712_: f32;
+    var phi_713_: bool;
+    var phi_717_: f32;
+    var phi_737_: f32;
+    var phi_742_: f32;
+    var phi_743_: bool;
+    var phi_744_: f32;
+    var phi_745_: bool;
+    var phi_749_: f32;
+    var phi_797_: i32;
+    var phi_802_: i32;
+    var phi_807_: i32;
+    var phi_812_: i32;
+    var phi_821_: i32;
+    var phi_826_: i32;
+    var phi_831_: i32;
+    var phi_836_: i32;
+    var phi_931_: bool;
+    var phi_939_: bool;
+    var phi_951_: bool;
+    var phi_952_: bool;
+    var phi_956_: f32;
+    var phi_962_: f32;
+    var phi_964_: evaluate_Verdict;
+    var phi_969_: evaluate_Verdict;
+    var phi_970_: evaluate_Verdict;
+    var phi_974_: bool;
+    var phi_975_: u32;
+    var phi_986_: u32;
 
     let _e51 = id_1;
     let _e52 = local_2;
@@ -319,373 +334,412 @@ fn function_() {
     if (bitcast<i32>(_e65.root) != 0i) {
         let _e72 = p.member.projection;
         let _e73 = lt_math_OneLevel(_e72);
-        let _e75 = p.member.light;
-        let _e78 = samples.member[_e65.first_primitive].normal[0u];
-        let _e80 = global[0u];
-        if (_e78 == _e80) {
-            let _e83 = samples.member[_e65.first_primitive].normal[1u];
-            let _e85 = global[1u];
-            if (_e83 == _e85) {
-                let _e88 = samples.member[_e65.first_primitive].normal[2u];
-                let _e90 = global[2u];
-                phi_375_ = (_e88 == _e90);
-                phi_376_ = false;
+        let _e77 = samples.member[_e65.first_primitive].normal[0u];
+        let _e79 = global[0u];
+        if (_e77 == _e79) {
+            let _e82 = samples.member[_e65.first_primitive].normal[1u];
+            let _e84 = global[1u];
+            if (_e82 == _e84) {
+                let _e87 = samples.member[_e65.first_primitive].normal[2u];
+                let _e89 = global[2u];
+                phi_378_ = (_e87 == _e89);
+                phi_379_ = false;
             } else {
-                phi_375_ = bool();
-                phi_376_ = true;
+                phi_378_ = bool();
+                phi_379_ = true;
             }
-            let _e93 = phi_375_;
-            let _e95 = phi_376_;
-            phi_377_ = _e93;
-            phi_378_ = _e95;
+            let _e92 = phi_378_;
+            let _e94 = phi_379_;
+            phi_380_ = _e92;
+            phi_381_ = _e94;
         } else {
-            phi_377_ = bool();
-            phi_378_ = true;
+            phi_380_ = bool();
+            phi_381_ = true;
         }
-        let _e97 = phi_377_;
-        let _e99 = phi_378_;
-        if _e99 {
-            phi_382_ = false;
+        let _e96 = phi_380_;
+        let _e98 = phi_381_;
+        if _e98 {
+            phi_385_ = false;
         } else {
-            phi_382_ = _e97;
+            phi_385_ = _e96;
         }
-        let _e101 = phi_382_;
-        if !(_e101) {
-            let _e104 = samples.member[_e65.first_primitive].normal;
-            let _e106 = samples.member[_e65.first_primitive].position;
-            if ((((_e104.x * (_e75.x - (_e106.x * _e75.w))) + (_e104.y * (_e75.y - (_e106.y * _e75.w)))) + (_e104.z * (_e75.z - (_e106.z * _e75.w)))) > 0f) {
-                let _e130 = samples.member[_e65.first_primitive].flags;
-                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
-                phi_426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, ((_e130 & 1u) == 0u));
-            } else {
-                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
-                phi_426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
-            }
-            let _e164 = phi_426_;
-            phi_430_ = _e164;
-        } else {
-            let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
-            phi_430_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, true);
-        }
-        let _e181 = phi_430_;
-        if _e181.unnamed_1 {
-            phi_919_ = evaluate_Verdict(_e181.unnamed.visibility, _e181.unnamed.is_doubted);
-        } else {
-            let _e189 = samples.member[_e65.first_primitive].position;
-            let _e207 = ((((_e73.projection.row_w.x * _e189.x) + (_e73.projection.row_w.y * _e189.y)) + (_e73.projection.row_w.z * _e189.z)) + (_e73.projection.row_w.w * 1f));
-            let _e221 = (((((_e73.projection.row_x.x * _e189.x) + (_e73.projection.row_x.y * _e189.y)) + (_e73.projection.row_x.z * _e189.z)) + (_e73.projection.row_x.w * 1f)) / _e207);
-            let _e235 = (((((_e73.projection.row_y.x * _e189.x) + (_e73.projection.row_y.y * _e189.y)) + (_e73.projection.row_y.z * _e189.z)) + (_e73.projection.row_y.w * 1f)) / _e207);
-            let _e248 = ((((_e73.projection.row_z.x * _e189.x) + (_e73.projection.row_z.y * _e189.y)) + (_e73.projection.row_z.z * _e189.z)) + (_e73.projection.row_z.w * 1f));
-            if (_e207 > 0f) {
-                if (_e221 >= 0f) {
-                    phi_504_ = (_e221 <= 1f);
+        let _e100 = phi_385_;
+        if !(_e100) {
+            let _e103 = samples.member[_e65.first_primitive].position;
+            let _e105 = p.member.light.place;
+            let _e111 = p.member.light.place[3u];
+            let _e118 = (_e105.x - (_e103.x * _e111));
+            let _e119 = (_e105.y - (_e103.y * _e111));
+            let _e120 = (_e105.z - (_e103.z * _e111));
+            let _e122 = samples.member[_e65.first_primitive].normal;
+            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
+                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
+                let _e138 = p.member.light.axis;
+                let _e150 = p.member.light.place[3u];
+                if (_e150 == 0f) {
+                    phi_456_ = true;
                 } else {
-                    phi_504_ = false;
-                }
-                let _e253 = phi_504_;
-                if _e253 {
-                    if (_e235 >= 0f) {
-                        phi_513_ = (_e235 <= 1f);
+                    let _e153 = p.member.light.range_squared;
+                    if (_e136 <= _e153) {
+                        let _e156 = p.member.light.cos_outer;
+                        phi_455_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
                     } else {
-                        phi_513_ = false;
+                        phi_455_ = false;
                     }
-                    let _e257 = phi_513_;
-                    if _e257 {
-                        if (_e248 >= 0f) {
-                            phi_522_ = (_e248 <= 1f);
+                    let _e161 = phi_455_;
+                    phi_456_ = _e161;
+                }
+                let _e163 = phi_456_;
+                if _e163 {
+                    let _e165 = samples.member[_e65.first_primitive].flags;
+                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
+                    phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
+                    phi_468_ = false;
+                } else {
+                    phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_468_ = true;
+                }
+                let _e184 = phi_467_;
+                let _e186 = phi_468_;
+                phi_469_ = _e184;
+                phi_470_ = _e186;
+            } else {
+                phi_469_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_470_ = true;
+            }
+            let _e188 = phi_469_;
+            let _e190 = phi_470_;
+            if _e190 {
+                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
+                phi_477_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+            } else {
+                phi_477_ = _e188;
+            }
+            let _e207 = phi_477_;
+            phi_481_ = _e207;
+        } else {
+            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
+            phi_481_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+        }
+        let _e224 = phi_481_;
+        if _e224.unnamed_1 {
+            phi_970_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
+        } else {
+            let _e232 = samples.member[_e65.first_primitive].position;
+            let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
+            let _e264 = (((((_e73.projection.row_x.x * _e232.x) + (_e73.projection.row_x.y * _e232.y)) + (_e73.projection.row_x.z * _e232.z)) + (_e73.projection.row_x.w * 1f)) / _e250);
+            let _e278 = (((((_e73.projection.row_y.x * _e232.x) + (_e73.projection.row_y.y * _e232.y)) + (_e73.projection.row_y.z * _e232.z)) + (_e73.projection.row_y.w * 1f)) / _e250);
+            let _e291 = ((((_e73.projection.row_z.x * _e232.x) + (_e73.projection.row_z.y * _e232.y)) + (_e73.projection.row_z.z * _e232.z)) + (_e73.projection.row_z.w * 1f));
+            if (_e250 > 0f) {
+                if (_e264 >= 0f) {
+                    phi_555_ = (_e264 <= 1f);
+                } else {
+                    phi_555_ = false;
+                }
+                let _e296 = phi_555_;
+                if _e296 {
+                    if (_e278 >= 0f) {
+                        phi_564_ = (_e278 <= 1f);
+                    } else {
+                        phi_564_ = false;
+                    }
+                    let _e300 = phi_564_;
+                    if _e300 {
+                        if (_e291 >= 0f) {
+                            phi_573_ = (_e291 <= 1f);
                         } else {
-                            phi_522_ = false;
+                            phi_573_ = false;
                         }
-                        let _e261 = phi_522_;
-                        phi_523_ = _e261;
-                        phi_524_ = false;
+                        let _e304 = phi_573_;
+                        phi_574_ = _e304;
+                        phi_575_ = false;
                     } else {
-                        phi_523_ = bool();
-                        phi_524_ = true;
+                        phi_574_ = bool();
+                        phi_575_ = true;
                     }
-                    let _e263 = phi_523_;
-                    let _e265 = phi_524_;
-                    phi_525_ = _e263;
-                    phi_526_ = _e265;
+                    let _e306 = phi_574_;
+                    let _e308 = phi_575_;
+                    phi_576_ = _e306;
+                    phi_577_ = _e308;
                 } else {
-                    phi_525_ = bool();
-                    phi_526_ = true;
+                    phi_576_ = bool();
+                    phi_577_ = true;
                 }
-                let _e267 = phi_525_;
-                let _e269 = phi_526_;
-                phi_527_ = _e267;
-                phi_528_ = _e269;
+                let _e310 = phi_576_;
+                let _e312 = phi_577_;
+                phi_578_ = _e310;
+                phi_579_ = _e312;
             } else {
-                phi_527_ = bool();
-                phi_528_ = true;
+                phi_578_ = bool();
+                phi_579_ = true;
             }
-            let _e271 = phi_527_;
-            let _e273 = phi_528_;
-            if _e273 {
-                phi_532_ = false;
+            let _e314 = phi_578_;
+            let _e316 = phi_579_;
+            if _e316 {
+                phi_583_ = false;
             } else {
-                phi_532_ = _e271;
+                phi_583_ = _e314;
             }
-            let _e275 = phi_532_;
-            if _e275 {
+            let _e318 = phi_583_;
+            if _e318 {
                 if (0f > 0f) {
-                    let _e278 = samples.member[_e65.first_primitive].normal;
-                    let _e280 = p.member.map_size;
-                    let _e350 = ((abs(((((_e72.row_x.x * _e278.x) + (_e72.row_x.y * _e278.y)) + (_e72.row_x.z * _e278.z)) / (((_e72.row_x.x * _e72.row_x.x) + (_e72.row_x.y * _e72.row_x.y)) + (_e72.row_x.z * _e72.row_x.z)))) + abs(((((_e72.row_y.x * _e278.x) + (_e72.row_y.y * _e278.y)) + (_e72.row_y.z * _e278.z)) / (((_e72.row_y.x * _e72.row_y.x) + (_e72.row_y.y * _e72.row_y.y)) + (_e72.row_y.z * _e72.row_y.z))))) / (abs(((((_e72.row_z.x * _e278.x) + (_e72.row_z.y * _e278.y)) + (_e72.row_z.z * _e278.z)) / (((_e72.row_z.x * _e72.row_z.x) + (_e72.row_z.y * _e72.row_z.y)) + (_e72.row_z.z * _e72.row_z.z)))) * f32(_e280)));
-                    if (_e350 < 0.002f) {
-                        phi_622_ = _e350;
+                    let _e321 = samples.member[_e65.first_primitive].normal;
+                    let _e323 = p.member.map_size;
+                    let _e393 = ((abs(((((_e72.row_x.x * _e321.x) + (_e72.row_x.y * _e321.y)) + (_e72.row_x.z * _e321.z)) / (((_e72.row_x.x * _e72.row_x.x) + (_e72.row_x.y * _e72.row_x.y)) + (_e72.row_x.z * _e72.row_x.z)))) + abs(((((_e72.row_y.x * _e321.x) + (_e72.row_y.y * _e321.y)) + (_e72.row_y.z * _e321.z)) / (((_e72.row_y.x * _e72.row_y.x) + (_e72.row_y.y * _e72.row_y.y)) + (_e72.row_y.z * _e72.row_y.z))))) / (abs(((((_e72.row_z.x * _e321.x) + (_e72.row_z.y * _e321.y)) + (_e72.row_z.z * _e321.z)) / (((_e72.row_z.x * _e72.row_z.x) + (_e72.row_z.y * _e72.row_z.y)) + (_e72.row_z.z * _e72.row_z.z)))) * f32(_e323)));
+                    if (_e393 < 0.002f) {
+                        phi_673_ = _e393;
                     } else {
-                        phi_622_ = 0.002f;
+                        phi_673_ = 0.002f;
                     }
-                    let _e353 = phi_622_;
-                    phi_625_ = (_e248 - (0f * _e353));
+                    let _e396 = phi_673_;
+                    phi_676_ = (_e291 - (0f * _e396));
                 } else {
-                    phi_625_ = _e248;
+                    phi_676_ = _e291;
                 }
-                let _e357 = phi_625_;
-                let _e359 = p.member.map_size;
-                let _e360 = f32(_e359);
-                let _e363 = ((_e221 * _e360) - 0.5f);
-                let _e364 = ((_e235 * _e360) - 0.5f);
-                if (_e363 > -8388608f) {
-                    let _e376 = f32(select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < bitcast<f32>(3472883712u))), 2147483647i, (_e363 > bitcast<f32>(1325400063u))), (_e363 == _e363)));
-                    if (_e376 > _e363) {
-                        phi_654_ = 1f;
+                let _e400 = phi_676_;
+                let _e402 = p.member.map_size;
+                let _e403 = f32(_e402);
+                let _e406 = ((_e264 * _e403) - 0.5f);
+                let _e407 = ((_e278 * _e403) - 0.5f);
+                if (_e406 > -8388608f) {
+                    let _e419 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
+                    if (_e419 > _e406) {
+                        phi_705_ = 1f;
                     } else {
-                        phi_654_ = 0f;
+                        phi_705_ = 0f;
                     }
-                    let _e379 = phi_654_;
-                    if (_e363 < 8388608f) {
-                        phi_659_ = (_e376 - _e379);
-                        phi_660_ = false;
+                    let _e422 = phi_705_;
+                    if (_e406 < 8388608f) {
+                        phi_710_ = (_e419 - _e422);
+                        phi_711_ = false;
                     } else {
-                        phi_659_ = f32();
-                        phi_660_ = true;
+                        phi_710_ = f32();
+                        phi_711_ = true;
                     }
-                    let _e382 = phi_659_;
-                    let _e384 = phi_660_;
-                    phi_661_ = _e382;
-                    phi_662_ = _e384;
+                    let _e425 = phi_710_;
+                    let _e427 = phi_711_;
+                    phi_712_ = _e425;
+                    phi_713_ = _e427;
                 } else {
-                    phi_661_ = f32();
-                    phi_662_ = true;
+                    phi_712_ = f32();
+                    phi_713_ = true;
                 }
-                let _e386 = phi_661_;
-                let _e388 = phi_662_;
-                if _e388 {
-                    phi_666_ = _e363;
+                let _e429 = phi_712_;
+                let _e431 = phi_713_;
+                if _e431 {
+                    phi_717_ = _e406;
                 } else {
-                    phi_666_ = _e386;
+                    phi_717_ = _e429;
                 }
-                let _e390 = phi_666_;
-                if (_e364 > -8388608f) {
-                    let _e402 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
-                    if (_e402 > _e364) {
-                        phi_686_ = 1f;
+                let _e433 = phi_717_;
+                if (_e407 > -8388608f) {
+                    let _e445 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
+                    if (_e445 > _e407) {
+                        phi_737_ = 1f;
                     } else {
-                        phi_686_ = 0f;
+                        phi_737_ = 0f;
                     }
-                    let _e405 = phi_686_;
-                    if (_e364 < 8388608f) {
-                        phi_691_ = (_e402 - _e405);
-                        phi_692_ = false;
+                    let _e448 = phi_737_;
+                    if (_e407 < 8388608f) {
+                        phi_742_ = (_e445 - _e448);
+                        phi_743_ = false;
                     } else {
-                        phi_691_ = f32();
-                        phi_692_ = true;
+                        phi_742_ = f32();
+                        phi_743_ = true;
                     }
-                    let _e408 = phi_691_;
-                    let _e410 = phi_692_;
-                    phi_693_ = _e408;
-                    phi_694_ = _e410;
+                    let _e451 = phi_742_;
+                    let _e453 = phi_743_;
+                    phi_744_ = _e451;
+                    phi_745_ = _e453;
                 } else {
-                    phi_693_ = f32();
-                    phi_694_ = true;
+                    phi_744_ = f32();
+                    phi_745_ = true;
                 }
-                let _e412 = phi_693_;
-                let _e414 = phi_694_;
-                if _e414 {
-                    phi_698_ = _e364;
+                let _e455 = phi_744_;
+                let _e457 = phi_745_;
+                if _e457 {
+                    phi_749_ = _e407;
                 } else {
-                    phi_698_ = _e412;
+                    phi_749_ = _e455;
                 }
-                let _e416 = phi_698_;
-                let _e417 = (_e363 - _e390);
-                let _e418 = (_e364 - _e416);
-                let _e427 = select(0i, select(select(i32(_e390), i32(-2147483648), (_e390 < bitcast<f32>(3472883712u))), 2147483647i, (_e390 > bitcast<f32>(1325400063u))), (_e390 == _e390));
-                let _e436 = select(0i, select(select(i32(_e416), i32(-2147483648), (_e416 < bitcast<f32>(3472883712u))), 2147483647i, (_e416 > bitcast<f32>(1325400063u))), (_e416 == _e416));
-                let _e439 = ((1f - _e417) * (1f - _e418));
-                let _e441 = (_e417 * (1f - _e418));
-                let _e443 = ((1f - _e417) * _e418);
-                let _e444 = (_e417 * _e418);
-                let _e446 = p.member.test;
-                let _e447 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e446);
-                let _e449 = p.member.map_size;
-                local_1 = _e447;
-                let _e451 = ((0u * _e449) * _e449);
-                let _e453 = (bitcast<i32>(_e449) - 1i);
-                if (_e427 > 0i) {
-                    phi_746_ = _e427;
+                let _e459 = phi_749_;
+                let _e460 = (_e406 - _e433);
+                let _e461 = (_e407 - _e459);
+                let _e470 = select(0i, select(select(i32(_e433), i32(-2147483648), (_e433 < bitcast<f32>(3472883712u))), 2147483647i, (_e433 > bitcast<f32>(1325400063u))), (_e433 == _e433));
+                let _e479 = select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < bitcast<f32>(3472883712u))), 2147483647i, (_e459 > bitcast<f32>(1325400063u))), (_e459 == _e459));
+                let _e482 = ((1f - _e460) * (1f - _e461));
+                let _e484 = (_e460 * (1f - _e461));
+                let _e486 = ((1f - _e460) * _e461);
+                let _e487 = (_e460 * _e461);
+                let _e489 = p.member.test;
+                let _e490 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e489);
+                let _e492 = p.member.map_size;
+                local_1 = _e490;
+                let _e494 = ((0u * _e492) * _e492);
+                let _e496 = (bitcast<i32>(_e492) - 1i);
+                if (_e470 > 0i) {
+                    phi_797_ = _e470;
                 } else {
-                    phi_746_ = 0i;
+                    phi_797_ = 0i;
                 }
-                let _e456 = phi_746_;
-                if (_e436 > 0i) {
-                    phi_751_ = _e436;
+                let _e499 = phi_797_;
+                if (_e479 > 0i) {
+                    phi_802_ = _e479;
                 } else {
-                    phi_751_ = 0i;
+                    phi_802_ = 0i;
                 }
-                let _e459 = phi_751_;
-                if (_e456 < _e453) {
-                    phi_756_ = _e456;
+                let _e502 = phi_802_;
+                if (_e499 < _e496) {
+                    phi_807_ = _e499;
                 } else {
-                    phi_756_ = _e453;
+                    phi_807_ = _e496;
                 }
-                let _e462 = phi_756_;
-                if (_e459 < _e453) {
-                    phi_761_ = _e459;
+                let _e505 = phi_807_;
+                if (_e502 < _e496) {
+                    phi_812_ = _e502;
                 } else {
-                    phi_761_ = _e453;
+                    phi_812_ = _e496;
                 }
-                let _e465 = phi_761_;
-                let _e466 = bitcast<u32>(_e462);
-                let _e468 = (_e427 + 1i);
-                let _e469 = (_e436 + 1i);
-                if (_e468 > 0i) {
-                    phi_770_ = _e468;
+                let _e508 = phi_812_;
+                let _e509 = bitcast<u32>(_e505);
+                let _e511 = (_e470 + 1i);
+                let _e512 = (_e479 + 1i);
+                if (_e511 > 0i) {
+                    phi_821_ = _e511;
                 } else {
-                    phi_770_ = 0i;
+                    phi_821_ = 0i;
                 }
-                let _e472 = phi_770_;
-                if (_e469 > 0i) {
-                    phi_775_ = _e469;
+                let _e515 = phi_821_;
+                if (_e512 > 0i) {
+                    phi_826_ = _e512;
                 } else {
-                    phi_775_ = 0i;
+                    phi_826_ = 0i;
                 }
-                let _e475 = phi_775_;
-                if (_e472 < _e453) {
-                    phi_780_ = _e472;
+                let _e518 = phi_826_;
+                if (_e515 < _e496) {
+                    phi_831_ = _e515;
                 } else {
-                    phi_780_ = _e453;
+                    phi_831_ = _e496;
                 }
-                let _e478 = phi_780_;
-                if (_e475 < _e453) {
-                    phi_785_ = _e475;
+                let _e521 = phi_831_;
+                if (_e518 < _e496) {
+                    phi_836_ = _e518;
                 } else {
-                    phi_785_ = _e453;
+                    phi_836_ = _e496;
                 }
-                let _e481 = phi_785_;
-                let _e482 = bitcast<u32>(_e478);
-                let _e484 = (bitcast<u32>(_e465) * _e449);
-                let _e485 = (bitcast<u32>(_e481) * _e449);
-                let _e490 = ((_e484 + _e466) + _e451);
-                let _e491 = ((_e484 + _e482) + _e451);
-                let _e492 = ((_e485 + _e466) + _e451);
-                let _e493 = ((_e485 + _e482) + _e451);
-                if (_e490 < _e57) {
+                let _e524 = phi_836_;
+                let _e525 = bitcast<u32>(_e521);
+                let _e527 = (bitcast<u32>(_e508) * _e492);
+                let _e528 = (bitcast<u32>(_e524) * _e492);
+                let _e533 = ((_e527 + _e509) + _e494);
+                let _e534 = ((_e527 + _e525) + _e494);
+                let _e535 = ((_e528 + _e509) + _e494);
+                let _e536 = ((_e528 + _e525) + _e494);
+                if (_e533 < _e57) {
                 } else {
                     return;
                 }
-                let _e497 = map.member[(0u + _e490)];
-                if (_e491 < _e57) {
+                let _e540 = map.member[(0u + _e533)];
+                if (_e534 < _e57) {
                 } else {
                     return;
                 }
-                let _e509 = map.member[(0u + _e491)];
-                if (_e492 < _e57) {
+                let _e552 = map.member[(0u + _e534)];
+                if (_e535 < _e57) {
                 } else {
                     return;
                 }
-                let _e525 = map.member[(0u + _e492)];
-                if (_e493 < _e57) {
+                let _e568 = map.member[(0u + _e535)];
+                if (_e536 < _e57) {
                 } else {
                     return;
                 }
-                let _e541 = map.member[(0u + _e493)];
-                let _e555 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e497.x * _e439) + (_e509.x * _e441)) + (_e525.x * _e443)) + (_e541.x * _e444)), ((((_e497.y * _e439) + (_e509.y * _e441)) + (_e525.y * _e443)) + (_e541.y * _e444)), ((((_e497.z * _e439) + (_e509.z * _e441)) + (_e525.z * _e443)) + (_e541.z * _e444)), ((((_e497.w * _e439) + (_e509.w * _e441)) + (_e525.w * _e443)) + (_e541.w * _e444))), _e357);
-                let _e557 = p.member.epsilon;
-                if (_e555 <= _e557) {
-                    phi_880_ = true;
+                let _e584 = map.member[(0u + _e536)];
+                let _e598 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e540.x * _e482) + (_e552.x * _e484)) + (_e568.x * _e486)) + (_e584.x * _e487)), ((((_e540.y * _e482) + (_e552.y * _e484)) + (_e568.y * _e486)) + (_e584.y * _e487)), ((((_e540.z * _e482) + (_e552.z * _e484)) + (_e568.z * _e486)) + (_e584.z * _e487)), ((((_e540.w * _e482) + (_e552.w * _e484)) + (_e568.w * _e486)) + (_e584.w * _e487))), _e400);
+                let _e600 = p.member.epsilon;
+                if (_e598 <= _e600) {
+                    phi_931_ = true;
                 } else {
-                    phi_880_ = (_e555 >= (1f - _e557));
+                    phi_931_ = (_e598 >= (1f - _e600));
                 }
-                let _e562 = phi_880_;
-                if ((bitcast<u32>(_e555) & 2147483647u) > 2139095040u) {
-                    phi_888_ = true;
+                let _e605 = phi_931_;
+                if ((bitcast<u32>(_e598) & 2147483647u) > 2139095040u) {
+                    phi_939_ = true;
                 } else {
-                    phi_888_ = !(_e562);
+                    phi_939_ = !(_e605);
                 }
-                let _e568 = phi_888_;
-                if _e568 {
-                    if (_e555 > 0f) {
-                        if (_e555 < 1f) {
-                            phi_900_ = false;
+                let _e611 = phi_939_;
+                if _e611 {
+                    if (_e598 > 0f) {
+                        if (_e598 < 1f) {
+                            phi_951_ = false;
                         } else {
-                            phi_900_ = true;
+                            phi_951_ = true;
                         }
-                        let _e572 = phi_900_;
-                        phi_901_ = _e572;
+                        let _e615 = phi_951_;
+                        phi_952_ = _e615;
                     } else {
-                        phi_901_ = true;
+                        phi_952_ = true;
                     }
-                    let _e574 = phi_901_;
-                    if _e574 {
-                        phi_905_ = 0.5f;
+                    let _e617 = phi_952_;
+                    if _e617 {
+                        phi_956_ = 0.5f;
                     } else {
-                        phi_905_ = _e555;
+                        phi_956_ = _e598;
                     }
-                    let _e576 = phi_905_;
-                    phi_913_ = evaluate_Verdict(_e576, true);
+                    let _e619 = phi_956_;
+                    phi_964_ = evaluate_Verdict(_e619, true);
                 } else {
-                    if (_e555 > 0.5f) {
-                        phi_911_ = 1f;
+                    if (_e598 > 0.5f) {
+                        phi_962_ = 1f;
                     } else {
-                        phi_911_ = 0f;
+                        phi_962_ = 0f;
                     }
-                    let _e580 = phi_911_;
-                    phi_913_ = evaluate_Verdict(_e580, false);
+                    let _e623 = phi_962_;
+                    phi_964_ = evaluate_Verdict(_e623, false);
                 }
-                let _e583 = phi_913_;
-                phi_918_ = evaluate_Verdict(_e583.visibility, _e583.is_doubted);
+                let _e626 = phi_964_;
+                phi_969_ = evaluate_Verdict(_e626.visibility, _e626.is_doubted);
             } else {
-                phi_918_ = evaluate_Verdict(0.5f, true);
+                phi_969_ = evaluate_Verdict(0.5f, true);
             }
-            let _e589 = phi_918_;
-            phi_919_ = _e589;
+            let _e632 = phi_969_;
+            phi_970_ = _e632;
         }
-        let _e591 = phi_919_;
-        visibility.member[_e65.first_primitive] = _e591.visibility;
-        phi_923_ = _e591.is_doubted;
-        phi_924_ = _e65.first_primitive;
+        let _e634 = phi_970_;
+        visibility.member[_e65.first_primitive] = _e634.visibility;
+        phi_974_ = _e634.is_doubted;
+        phi_975_ = _e65.first_primitive;
     } else {
-        phi_923_ = false;
-        phi_924_ = 0u;
+        phi_974_ = false;
+        phi_975_ = 0u;
     }
-    let _e596 = phi_923_;
-    let _e598 = phi_924_;
+    let _e639 = phi_974_;
+    let _e641 = phi_975_;
     if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e596 {
-        let _e602 = atomicAdd((&shared_[0u]), 1u);
-        phi_935_ = _e602;
+    if _e639 {
+        let _e645 = atomicAdd((&shared_[0u]), 1u);
+        phi_986_ = _e645;
     } else {
-        phi_935_ = 0u;
+        phi_986_ = 0u;
     }
-    let _e604 = phi_935_;
+    let _e647 = phi_986_;
     workgroupBarrier();
     if (_e52 == 0u) {
-        let _e608 = atomicLoad((&shared_[0u]));
-        let _e609 = atomicAdd((&list.member[3u]), _e608);
-        atomicStore((&shared_[1u]), _e609);
+        let _e651 = atomicLoad((&shared_[0u]));
+        let _e652 = atomicAdd((&list.member[3u]), _e651);
+        atomicStore((&shared_[1u]), _e652);
     }
     workgroupBarrier();
-    if _e596 {
-        let _e612 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e612) + _e604)]), _e598);
+    if _e639 {
+        let _e655 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e655) + _e647)]), _e641);
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -34,7 +43,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<vec4<f32>>,
 }
 
@@ -47,18 +56,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: abi_ShadowParams,
 }
 
@@ -74,7 +83,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_48 {
+struct type_50 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -83,7 +92,7 @@ struct lt_math_LevelPoint {
     point: lt_math_LightPoint,
 }
 
-struct type_54 {
+struct type_56 {
     member: array<atomic<u32>>,
 }
 
@@ -94,48 +103,48 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_41;
+var<uniform> p: type_43;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_54;
+var<storage, read_write> list: type_56;
 @group(0) @binding(5) 
-var<storage> levels: type_48;
+var<storage> levels: type_50;
 @group(0) @binding(2) 
-var<storage> map: type_37;
+var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_177_: lt_bvh_traverse_Tree;
-    var phi_178_: bool;
-    var phi_179_: lt_bvh_traverse_Tree;
-    var phi_180_: bool;
-    var phi_185_: lt_bvh_traverse_Tree;
+    var phi_182_: lt_bvh_traverse_Tree;
+    var phi_183_: bool;
+    var phi_184_: lt_bvh_traverse_Tree;
+    var phi_185_: bool;
+    var phi_190_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_177_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_178_ = false;
+            phi_182_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_183_ = false;
         } else {
-            phi_177_ = lt_bvh_traverse_Tree();
-            phi_178_ = true;
+            phi_182_ = lt_bvh_traverse_Tree();
+            phi_183_ = true;
         }
-        let _e69 = phi_177_;
-        let _e71 = phi_178_;
-        phi_179_ = _e69;
-        phi_180_ = _e71;
+        let _e70 = phi_182_;
+        let _e72 = phi_183_;
+        phi_184_ = _e70;
+        phi_185_ = _e72;
     } else {
-        phi_179_ = lt_bvh_traverse_Tree();
-        phi_180_ = true;
+        phi_184_ = lt_bvh_traverse_Tree();
+        phi_185_ = true;
     }
-    let _e73 = phi_179_;
-    let _e75 = phi_180_;
-    if _e75 {
-        phi_185_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e74 = phi_184_;
+    let _e76 = phi_185_;
+    if _e76 {
+        phi_190_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_185_ = _e73;
+        phi_190_ = _e74;
     }
-    let _e80 = phi_185_;
-    return lt_bvh_traverse_Tree(_e80.root, _e80.first_primitive);
+    let _e81 = phi_190_;
+    return lt_bvh_traverse_Tree(_e81.root, _e81.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -143,978 +152,1024 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_4: ptr<function, lt_math_Evsm>, param_5: f32) -> vec4<f32> {
-    var phi_212_: f32;
-    var phi_213_: f32;
-    var phi_214_: f32;
-    var phi_227_: bool;
-    var phi_231_: f32;
-    var phi_243_: f32;
+    var phi_217_: f32;
+    var phi_218_: f32;
+    var phi_219_: f32;
+    var phi_232_: bool;
+    var phi_236_: f32;
     var phi_248_: f32;
-    var phi_270_: f32;
+    var phi_253_: f32;
     var phi_275_: f32;
-    var phi_276_: bool;
-    var phi_277_: f32;
-    var phi_278_: bool;
+    var phi_280_: f32;
+    var phi_281_: bool;
     var phi_282_: f32;
-    var phi_320_: f32;
-    var phi_333_: bool;
-    var phi_337_: f32;
-    var phi_350_: f32;
+    var phi_283_: bool;
+    var phi_287_: f32;
+    var phi_325_: f32;
+    var phi_338_: bool;
+    var phi_342_: f32;
     var phi_355_: f32;
-    var phi_377_: f32;
+    var phi_360_: f32;
     var phi_382_: f32;
-    var phi_383_: bool;
-    var phi_384_: f32;
-    var phi_385_: bool;
+    var phi_387_: f32;
+    var phi_388_: bool;
     var phi_389_: f32;
-    var phi_427_: f32;
+    var phi_390_: bool;
+    var phi_394_: f32;
+    var phi_432_: f32;
 
     if ((bitcast<u32>(param_5) & 2147483647u) > 2139095040u) {
-        phi_214_ = param_5;
+        phi_219_ = param_5;
     } else {
         if (param_5 < 0f) {
-            phi_213_ = 0f;
+            phi_218_ = 0f;
         } else {
             if (param_5 > 1f) {
-                phi_212_ = 1f;
+                phi_217_ = 1f;
             } else {
-                phi_212_ = param_5;
+                phi_217_ = param_5;
             }
-            let _e64 = phi_212_;
-            phi_213_ = _e64;
+            let _e65 = phi_217_;
+            phi_218_ = _e65;
         }
-        let _e66 = phi_213_;
-        phi_214_ = _e66;
+        let _e67 = phi_218_;
+        phi_219_ = _e67;
     }
-    let _e68 = phi_214_;
-    let _e70 = (*param_4).positive_exponent;
+    let _e69 = phi_219_;
+    let _e71 = (*param_4).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_227_ = true;
+        phi_232_ = true;
     } else {
-        let _e74 = (42f < _e70);
-        if _e74 {
+        let _e75 = (42f < _e71);
+        if _e75 {
         }
-        phi_227_ = _e74;
+        phi_232_ = _e75;
     }
-    let _e76 = phi_227_;
-    if _e76 {
-        phi_231_ = 42f;
+    let _e77 = phi_232_;
+    if _e77 {
+        phi_236_ = 42f;
     } else {
-        phi_231_ = _e70;
+        phi_236_ = _e71;
     }
-    let _e78 = phi_231_;
-    let _e79 = (_e78 * _e68);
-    if ((bitcast<u32>(_e79) & 2147483647u) > 2139095040u) {
-        phi_320_ = _e79;
+    let _e79 = phi_236_;
+    let _e80 = (_e79 * _e69);
+    if ((bitcast<u32>(_e80) & 2147483647u) > 2139095040u) {
+        phi_325_ = _e80;
     } else {
-        if (_e79 < -87f) {
-            phi_243_ = -87f;
+        if (_e80 < -87f) {
+            phi_248_ = -87f;
         } else {
-            phi_243_ = _e79;
+            phi_248_ = _e80;
         }
-        let _e85 = phi_243_;
-        if (_e85 > 88f) {
-            phi_248_ = 88f;
+        let _e86 = phi_248_;
+        if (_e86 > 88f) {
+            phi_253_ = 88f;
         } else {
-            phi_248_ = _e85;
+            phi_253_ = _e86;
         }
-        let _e88 = phi_248_;
-        let _e90 = ((_e88 * 1.442695f) + 0.5f);
-        if (_e90 > -8388608f) {
-            let _e102 = f32(select(0i, select(select(i32(_e90), i32(-2147483648), (_e90 < bitcast<f32>(3472883712u))), 2147483647i, (_e90 > bitcast<f32>(1325400063u))), (_e90 == _e90)));
-            if (_e102 > _e90) {
-                phi_270_ = 1f;
+        let _e89 = phi_253_;
+        let _e91 = ((_e89 * 1.442695f) + 0.5f);
+        if (_e91 > -8388608f) {
+            let _e103 = f32(select(0i, select(select(i32(_e91), i32(-2147483648), (_e91 < bitcast<f32>(3472883712u))), 2147483647i, (_e91 > bitcast<f32>(1325400063u))), (_e91 == _e91)));
+            if (_e103 > _e91) {
+                phi_275_ = 1f;
             } else {
-                phi_270_ = 0f;
+                phi_275_ = 0f;
             }
-            let _e105 = phi_270_;
-            if (_e90 < 8388608f) {
-                phi_275_ = (_e102 - _e105);
-                phi_276_ = false;
+            let _e106 = phi_275_;
+            if (_e91 < 8388608f) {
+                phi_280_ = (_e103 - _e106);
+                phi_281_ = false;
             } else {
-                phi_275_ = f32();
-                phi_276_ = true;
+                phi_280_ = f32();
+                phi_281_ = true;
             }
-            let _e108 = phi_275_;
-            let _e110 = phi_276_;
-            phi_277_ = _e108;
-            phi_278_ = _e110;
+            let _e109 = phi_280_;
+            let _e111 = phi_281_;
+            phi_282_ = _e109;
+            phi_283_ = _e111;
         } else {
-            phi_277_ = f32();
-            phi_278_ = true;
+            phi_282_ = f32();
+            phi_283_ = true;
         }
-        let _e112 = phi_277_;
-        let _e114 = phi_278_;
-        if _e114 {
-            phi_282_ = _e90;
+        let _e113 = phi_282_;
+        let _e115 = phi_283_;
+        if _e115 {
+            phi_287_ = _e91;
         } else {
-            phi_282_ = _e112;
+            phi_287_ = _e113;
         }
-        let _e116 = phi_282_;
-        let _e120 = ((_e88 - (_e116 * 0.69314575f)) - (_e116 * 0.0000014286068f));
-        phi_320_ = ((((((((((((((((1f / 5040f) * _e120) + (1f / 720f)) * _e120) + (1f / 120f)) * _e120) + (1f / 24f)) * _e120) + (1f / 6f)) * _e120) + 0.5f) * _e120) + 1f) * _e120) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)) + 127i)) << bitcast<u32>(23i))));
+        let _e117 = phi_287_;
+        let _e121 = ((_e89 - (_e117 * 0.69314575f)) - (_e117 * 0.0000014286068f));
+        phi_325_ = ((((((((((((((((1f / 5040f) * _e121) + (1f / 720f)) * _e121) + (1f / 120f)) * _e121) + (1f / 24f)) * _e121) + (1f / 6f)) * _e121) + 0.5f) * _e121) + 1f) * _e121) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e156 = phi_320_;
-    let _e158 = (*param_4).negative_exponent;
+    let _e157 = phi_325_;
+    let _e159 = (*param_4).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_333_ = true;
+        phi_338_ = true;
     } else {
-        let _e162 = (42f < _e158);
-        if _e162 {
+        let _e163 = (42f < _e159);
+        if _e163 {
         }
-        phi_333_ = _e162;
+        phi_338_ = _e163;
     }
-    let _e164 = phi_333_;
-    if _e164 {
-        phi_337_ = 42f;
+    let _e165 = phi_338_;
+    if _e165 {
+        phi_342_ = 42f;
     } else {
-        phi_337_ = _e158;
+        phi_342_ = _e159;
     }
-    let _e166 = phi_337_;
-    let _e168 = (-(_e166) * _e68);
-    if ((bitcast<u32>(_e168) & 2147483647u) > 2139095040u) {
-        phi_427_ = _e168;
+    let _e167 = phi_342_;
+    let _e169 = (-(_e167) * _e69);
+    if ((bitcast<u32>(_e169) & 2147483647u) > 2139095040u) {
+        phi_432_ = _e169;
     } else {
-        if (_e168 < -87f) {
-            phi_350_ = -87f;
+        if (_e169 < -87f) {
+            phi_355_ = -87f;
         } else {
-            phi_350_ = _e168;
+            phi_355_ = _e169;
         }
-        let _e174 = phi_350_;
-        if (_e174 > 88f) {
-            phi_355_ = 88f;
+        let _e175 = phi_355_;
+        if (_e175 > 88f) {
+            phi_360_ = 88f;
         } else {
-            phi_355_ = _e174;
+            phi_360_ = _e175;
         }
-        let _e177 = phi_355_;
-        let _e179 = ((_e177 * 1.442695f) + 0.5f);
-        if (_e179 > -8388608f) {
-            let _e191 = f32(select(0i, select(select(i32(_e179), i32(-2147483648), (_e179 < bitcast<f32>(3472883712u))), 2147483647i, (_e179 > bitcast<f32>(1325400063u))), (_e179 == _e179)));
-            if (_e191 > _e179) {
-                phi_377_ = 1f;
+        let _e178 = phi_360_;
+        let _e180 = ((_e178 * 1.442695f) + 0.5f);
+        if (_e180 > -8388608f) {
+            let _e192 = f32(select(0i, select(select(i32(_e180), i32(-2147483648), (_e180 < bitcast<f32>(3472883712u))), 2147483647i, (_e180 > bitcast<f32>(1325400063u))), (_e180 == _e180)));
+            if (_e192 > _e180) {
+                phi_382_ = 1f;
             } else {
-                phi_377_ = 0f;
+                phi_382_ = 0f;
             }
-            let _e194 = phi_377_;
-            if (_e179 < 8388608f) {
-                phi_382_ = (_e191 - _e194);
-                phi_383_ = false;
+            let _e195 = phi_382_;
+            if (_e180 < 8388608f) {
+                phi_387_ = (_e192 - _e195);
+                phi_388_ = false;
             } else {
-                phi_382_ = f32();
-                phi_383_ = true;
+                phi_387_ = f32();
+                phi_388_ = true;
             }
-            let _e197 = phi_382_;
-            let _e199 = phi_383_;
-            phi_384_ = _e197;
-            phi_385_ = _e199;
+            let _e198 = phi_387_;
+            let _e200 = phi_388_;
+            phi_389_ = _e198;
+            phi_390_ = _e200;
         } else {
-            phi_384_ = f32();
-            phi_385_ = true;
+            phi_389_ = f32();
+            phi_390_ = true;
         }
-        let _e201 = phi_384_;
-        let _e203 = phi_385_;
-        if _e203 {
-            phi_389_ = _e179;
+        let _e202 = phi_389_;
+        let _e204 = phi_390_;
+        if _e204 {
+            phi_394_ = _e180;
         } else {
-            phi_389_ = _e201;
+            phi_394_ = _e202;
         }
-        let _e205 = phi_389_;
-        let _e209 = ((_e177 - (_e205 * 0.69314575f)) - (_e205 * 0.0000014286068f));
-        phi_427_ = ((((((((((((((((1f / 5040f) * _e209) + (1f / 720f)) * _e209) + (1f / 120f)) * _e209) + (1f / 24f)) * _e209) + (1f / 6f)) * _e209) + 0.5f) * _e209) + 1f) * _e209) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e205), i32(-2147483648), (_e205 < bitcast<f32>(3472883712u))), 2147483647i, (_e205 > bitcast<f32>(1325400063u))), (_e205 == _e205)) + 127i)) << bitcast<u32>(23i))));
+        let _e206 = phi_394_;
+        let _e210 = ((_e178 - (_e206 * 0.69314575f)) - (_e206 * 0.0000014286068f));
+        phi_432_ = ((((((((((((((((1f / 5040f) * _e210) + (1f / 720f)) * _e210) + (1f / 120f)) * _e210) + (1f / 24f)) * _e210) + (1f / 6f)) * _e210) + 0.5f) * _e210) + 1f) * _e210) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e206), i32(-2147483648), (_e206 < bitcast<f32>(3472883712u))), 2147483647i, (_e206 > bitcast<f32>(1325400063u))), (_e206 == _e206)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e245 = phi_427_;
-    let _e246 = -(_e245);
-    return vec4<f32>(_e156, (_e156 * _e156), _e246, (_e246 * _e246));
+    let _e246 = phi_432_;
+    let _e247 = -(_e246);
+    return vec4<f32>(_e157, (_e157 * _e157), _e247, (_e247 * _e247));
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_6: ptr<function, lt_math_Evsm>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_449_: bool;
-    var phi_453_: f32;
-    var phi_477_: bool;
-    var phi_481_: f32;
-    var phi_493_: bool;
-    var phi_500_: f32;
-    var phi_513_: bool;
-    var phi_517_: f32;
-    var phi_541_: bool;
-    var phi_545_: f32;
-    var phi_557_: bool;
-    var phi_564_: f32;
-    var phi_575_: bool;
-    var phi_579_: f32;
-    var phi_594_: f32;
-    var phi_595_: f32;
-    var phi_596_: f32;
+    var phi_454_: bool;
+    var phi_458_: f32;
+    var phi_482_: bool;
+    var phi_486_: f32;
+    var phi_498_: bool;
+    var phi_505_: f32;
+    var phi_518_: bool;
+    var phi_522_: f32;
+    var phi_546_: bool;
+    var phi_550_: f32;
+    var phi_562_: bool;
+    var phi_569_: f32;
+    var phi_580_: bool;
+    var phi_584_: f32;
+    var phi_599_: f32;
+    var phi_600_: f32;
+    var phi_601_: f32;
 
-    let _e59 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6, param_8);
-    let _e61 = (*param_6).positive_exponent;
+    let _e60 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6, param_8);
+    let _e62 = (*param_6).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_449_ = true;
+        phi_454_ = true;
     } else {
-        let _e65 = (42f < _e61);
-        if _e65 {
+        let _e66 = (42f < _e62);
+        if _e66 {
         }
-        phi_449_ = _e65;
+        phi_454_ = _e66;
     }
-    let _e67 = phi_449_;
-    if _e67 {
-        phi_453_ = 42f;
+    let _e68 = phi_454_;
+    if _e68 {
+        phi_458_ = 42f;
     } else {
-        phi_453_ = _e61;
+        phi_458_ = _e62;
     }
-    let _e69 = phi_453_;
-    let _e71 = (*param_6).min_variance;
-    let _e75 = (((_e71 * _e69) * _e69) * _e59.y);
-    let _e82 = ((param_7.y - (param_7.x * param_7.x)) + (0.00000047683716f * param_7.y));
-    if ((bitcast<u32>(_e75) & 2147483647u) > 2139095040u) {
-        phi_477_ = true;
+    let _e70 = phi_458_;
+    let _e72 = (*param_6).min_variance;
+    let _e76 = (((_e72 * _e70) * _e70) * _e60.y);
+    let _e83 = ((param_7.y - (param_7.x * param_7.x)) + (0.00000047683716f * param_7.y));
+    if ((bitcast<u32>(_e76) & 2147483647u) > 2139095040u) {
+        phi_482_ = true;
     } else {
-        let _e86 = (_e75 > _e82);
-        if _e86 {
+        let _e87 = (_e76 > _e83);
+        if _e87 {
         }
-        phi_477_ = _e86;
+        phi_482_ = _e87;
     }
-    let _e88 = phi_477_;
-    if _e88 {
-        phi_481_ = _e75;
+    let _e89 = phi_482_;
+    if _e89 {
+        phi_486_ = _e76;
     } else {
-        phi_481_ = _e82;
+        phi_486_ = _e83;
     }
-    let _e90 = phi_481_;
-    let _e91 = (_e59.x - param_7.x);
-    if (_e91 <= 0f) {
-        let _e95 = ((bitcast<u32>(_e90) & 2147483647u) > 2139095040u);
-        if _e95 {
+    let _e91 = phi_486_;
+    let _e92 = (_e60.x - param_7.x);
+    if (_e92 <= 0f) {
+        let _e96 = ((bitcast<u32>(_e91) & 2147483647u) > 2139095040u);
+        if _e96 {
         }
-        phi_493_ = _e95;
+        phi_498_ = _e96;
     } else {
-        phi_493_ = true;
+        phi_498_ = true;
     }
-    let _e97 = phi_493_;
-    if _e97 {
-        phi_500_ = (_e90 / (_e90 + (_e91 * _e91)));
+    let _e98 = phi_498_;
+    if _e98 {
+        phi_505_ = (_e91 / (_e91 + (_e92 * _e92)));
     } else {
-        phi_500_ = 1f;
+        phi_505_ = 1f;
     }
-    let _e102 = phi_500_;
-    let _e104 = (*param_6).negative_exponent;
+    let _e103 = phi_505_;
+    let _e105 = (*param_6).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_513_ = true;
+        phi_518_ = true;
     } else {
-        let _e108 = (42f < _e104);
-        if _e108 {
+        let _e109 = (42f < _e105);
+        if _e109 {
         }
-        phi_513_ = _e108;
+        phi_518_ = _e109;
     }
-    let _e110 = phi_513_;
-    if _e110 {
-        phi_517_ = 42f;
+    let _e111 = phi_518_;
+    if _e111 {
+        phi_522_ = 42f;
     } else {
-        phi_517_ = _e104;
+        phi_522_ = _e105;
     }
-    let _e112 = phi_517_;
-    let _e114 = (*param_6).min_variance;
-    let _e118 = (((_e114 * _e112) * _e112) * _e59.w);
-    let _e125 = ((param_7.w - (param_7.z * param_7.z)) + (0.00000047683716f * param_7.w));
-    if ((bitcast<u32>(_e118) & 2147483647u) > 2139095040u) {
-        phi_541_ = true;
+    let _e113 = phi_522_;
+    let _e115 = (*param_6).min_variance;
+    let _e119 = (((_e115 * _e113) * _e113) * _e60.w);
+    let _e126 = ((param_7.w - (param_7.z * param_7.z)) + (0.00000047683716f * param_7.w));
+    if ((bitcast<u32>(_e119) & 2147483647u) > 2139095040u) {
+        phi_546_ = true;
     } else {
-        let _e129 = (_e118 > _e125);
-        if _e129 {
+        let _e130 = (_e119 > _e126);
+        if _e130 {
         }
-        phi_541_ = _e129;
+        phi_546_ = _e130;
     }
-    let _e131 = phi_541_;
-    if _e131 {
-        phi_545_ = _e118;
+    let _e132 = phi_546_;
+    if _e132 {
+        phi_550_ = _e119;
     } else {
-        phi_545_ = _e125;
+        phi_550_ = _e126;
     }
-    let _e133 = phi_545_;
-    let _e134 = (_e59.z - param_7.z);
-    if (_e134 <= 0f) {
-        let _e138 = ((bitcast<u32>(_e133) & 2147483647u) > 2139095040u);
-        if _e138 {
+    let _e134 = phi_550_;
+    let _e135 = (_e60.z - param_7.z);
+    if (_e135 <= 0f) {
+        let _e139 = ((bitcast<u32>(_e134) & 2147483647u) > 2139095040u);
+        if _e139 {
         }
-        phi_557_ = _e138;
+        phi_562_ = _e139;
     } else {
-        phi_557_ = true;
+        phi_562_ = true;
     }
-    let _e140 = phi_557_;
-    if _e140 {
-        phi_564_ = (_e133 / (_e133 + (_e134 * _e134)));
+    let _e141 = phi_562_;
+    if _e141 {
+        phi_569_ = (_e134 / (_e134 + (_e135 * _e135)));
     } else {
-        phi_564_ = 1f;
+        phi_569_ = 1f;
     }
-    let _e145 = phi_564_;
-    if ((bitcast<u32>(_e145) & 2147483647u) > 2139095040u) {
-        phi_575_ = true;
+    let _e146 = phi_569_;
+    if ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u) {
+        phi_580_ = true;
     } else {
-        let _e149 = (_e145 < _e102);
-        if _e149 {
+        let _e150 = (_e146 < _e103);
+        if _e150 {
         }
-        phi_575_ = _e149;
+        phi_580_ = _e150;
     }
-    let _e151 = phi_575_;
-    if _e151 {
-        phi_579_ = _e145;
+    let _e152 = phi_580_;
+    if _e152 {
+        phi_584_ = _e146;
     } else {
-        phi_579_ = _e102;
+        phi_584_ = _e103;
     }
-    let _e153 = phi_579_;
-    if ((bitcast<u32>(_e153) & 2147483647u) > 2139095040u) {
-        phi_596_ = _e153;
+    let _e154 = phi_584_;
+    if ((bitcast<u32>(_e154) & 2147483647u) > 2139095040u) {
+        phi_601_ = _e154;
     } else {
-        if (_e153 < 0f) {
-            phi_595_ = 0f;
+        if (_e154 < 0f) {
+            phi_600_ = 0f;
         } else {
-            if (_e153 > 1f) {
-                phi_594_ = 1f;
+            if (_e154 > 1f) {
+                phi_599_ = 1f;
             } else {
-                phi_594_ = _e153;
+                phi_599_ = _e154;
             }
-            let _e160 = phi_594_;
-            phi_595_ = _e160;
+            let _e161 = phi_599_;
+            phi_600_ = _e161;
         }
-        let _e162 = phi_595_;
-        phi_596_ = _e162;
+        let _e163 = phi_600_;
+        phi_601_ = _e163;
     }
-    let _e164 = phi_596_;
-    return _e164;
+    let _e165 = phi_601_;
+    return _e165;
 }
 
 fn function_() {
     var local_1: lt_math_Evsm;
-    var phi_652_: bool;
-    var phi_653_: bool;
-    var phi_654_: bool;
-    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
     var phi_659_: bool;
-    var phi_703_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_707_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_727_: lt_math_LightPoint;
-    var phi_730_: u32;
-    var phi_732_: lt_math_LevelPoint;
-    var phi_818_: bool;
-    var phi_827_: bool;
-    var phi_836_: bool;
-    var phi_837_: bool;
-    var phi_838_: bool;
-    var phi_839_: bool;
-    var phi_840_: bool;
-    var phi_841_: bool;
-    var phi_842_: bool;
-    var phi_846_: bool;
-    var phi_873_: bool;
-    var phi_874_: bool;
-    var phi_875_: bool;
-    var phi_876_: bool;
-    var phi_877_: bool;
-    var phi_878_: bool;
+    var phi_663_: bool;
+    var phi_733_: bool;
+    var phi_734_: bool;
+    var phi_745_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_746_: bool;
+    var phi_747_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_748_: bool;
+    var phi_755_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_759_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_779_: lt_math_LightPoint;
+    var phi_782_: u32;
+    var phi_784_: lt_math_LevelPoint;
+    var phi_870_: bool;
     var phi_879_: bool;
-    var phi_880_: bool;
-    var phi_884_: bool;
-    var phi_893_: lt_math_LightPoint;
-    var phi_894_: u32;
-    var phi_895_: lt_math_LevelPoint;
-    var phi_896_: bool;
-    var phi_728_: lt_math_LightPoint;
-    var phi_731_: u32;
-    var phi_733_: lt_math_LevelPoint;
-    var phi_897_: bool;
+    var phi_888_: bool;
+    var phi_889_: bool;
+    var phi_890_: bool;
+    var phi_891_: bool;
+    var phi_892_: bool;
+    var phi_893_: bool;
+    var phi_894_: bool;
+    var phi_898_: bool;
+    var phi_925_: bool;
+    var phi_926_: bool;
+    var phi_927_: bool;
+    var phi_928_: bool;
+    var phi_929_: bool;
+    var phi_930_: bool;
+    var phi_931_: bool;
+    var phi_932_: bool;
+    var phi_936_: bool;
+    var phi_945_: lt_math_LightPoint;
+    var phi_946_: u32;
+    var phi_947_: lt_math_LevelPoint;
+    var phi_948_: bool;
+    var phi_780_: lt_math_LightPoint;
+    var phi_783_: u32;
+    var phi_785_: lt_math_LevelPoint;
+    var phi_949_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_937_: bool;
-    var phi_938_: bool;
-    var phi_939_: bool;
-    var phi_940_: bool;
-    var phi_944_: bool;
-    var phi_1026_: f32;
-    var phi_1142_: f32;
-    var phi_1143_: f32;
-    var phi_1146_: f32;
-    var phi_1175_: f32;
-    var phi_1180_: f32;
-    var phi_1181_: bool;
-    var phi_1182_: f32;
-    var phi_1183_: bool;
-    var phi_1187_: f32;
-    var phi_1207_: f32;
-    var phi_1212_: f32;
-    var phi_1213_: bool;
-    var phi_1214_: f32;
-    var phi_1215_: bool;
-    var phi_1219_: f32;
+    var phi_989_: bool;
+    var phi_990_: bool;
+    var phi_991_: bool;
+    var phi_992_: bool;
+    var phi_996_: bool;
+    var phi_1078_: f32;
+    var phi_1196_: f32;
+    var phi_1197_: f32;
+    var phi_1200_: f32;
+    var phi_1229_: f32;
+    var phi_1234_: f32;
+    var phi_1235_: bool;
+    var phi_1236_: f32;
+    var phi_1237_: bool;
+    var phi_1241_: f32;
+    var phi_1261_: f32;
+    var phi_1266_: f32;
+    var phi_1267_: bool;
+    var phi_1268_: f32;
+    var phi_1269_: bool;
+    var phi_1273_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1272_: i32;
-    var phi_1277_: i32;
-    var phi_1282_: i32;
-    var phi_1287_: i32;
-    var phi_1296_: i32;
-    var phi_1301_: i32;
-    var phi_1306_: i32;
-    var phi_1311_: i32;
-    var phi_1406_: bool;
-    var phi_1414_: bool;
-    var phi_1426_: bool;
-    var phi_1427_: bool;
-    var phi_1431_: f32;
-    var phi_1437_: f32;
-    var phi_1439_: evaluate_Verdict;
-    var phi_1444_: evaluate_Verdict;
-    var phi_1445_: evaluate_Verdict;
-    var phi_1449_: bool;
-    var phi_1450_: u32;
-    var phi_1461_: u32;
+    var phi_1326_: i32;
+    var phi_1331_: i32;
+    var phi_1336_: i32;
+    var phi_1341_: i32;
+    var phi_1350_: i32;
+    var phi_1355_: i32;
+    var phi_1360_: i32;
+    var phi_1365_: i32;
+    var phi_1460_: bool;
+    var phi_1468_: bool;
+    var phi_1480_: bool;
+    var phi_1481_: bool;
+    var phi_1485_: f32;
+    var phi_1491_: f32;
+    var phi_1493_: evaluate_Verdict;
+    var phi_1498_: evaluate_Verdict;
+    var phi_1499_: evaluate_Verdict;
+    var phi_1503_: bool;
+    var phi_1504_: u32;
+    var phi_1515_: u32;
 
-    let _e57 = id_1;
-    let _e58 = local_5;
-    let _e63 = arrayLength((&map.member));
-    let _e68 = arrayLength((&levels.member));
-    let _e71 = p.member.size[0u];
-    let _e73 = p.member.size[1u];
-    let _e74 = lt_shaders_entry_pixel_index(_e57, _e71, _e73);
-    if (bitcast<i32>(_e74.root) != 0i) {
-        let _e81 = p.member.level_count;
-        let _e83 = p.member.light;
-        let _e86 = samples.member[_e74.first_primitive].normal[0u];
+    let _e58 = id_1;
+    let _e59 = local_5;
+    let _e64 = arrayLength((&map.member));
+    let _e69 = arrayLength((&levels.member));
+    let _e72 = p.member.size[0u];
+    let _e74 = p.member.size[1u];
+    let _e75 = lt_shaders_entry_pixel_index(_e58, _e72, _e74);
+    if (bitcast<i32>(_e75.root) != 0i) {
+        let _e82 = p.member.level_count;
+        let _e86 = samples.member[_e75.first_primitive].normal[0u];
         let _e88 = global[0u];
         if (_e86 == _e88) {
-            let _e91 = samples.member[_e74.first_primitive].normal[1u];
+            let _e91 = samples.member[_e75.first_primitive].normal[1u];
             let _e93 = global[1u];
             if (_e91 == _e93) {
-                let _e96 = samples.member[_e74.first_primitive].normal[2u];
+                let _e96 = samples.member[_e75.first_primitive].normal[2u];
                 let _e98 = global[2u];
-                phi_652_ = (_e96 == _e98);
-                phi_653_ = false;
+                phi_656_ = (_e96 == _e98);
+                phi_657_ = false;
             } else {
-                phi_652_ = bool();
-                phi_653_ = true;
+                phi_656_ = bool();
+                phi_657_ = true;
             }
-            let _e101 = phi_652_;
-            let _e103 = phi_653_;
-            phi_654_ = _e101;
-            phi_655_ = _e103;
+            let _e101 = phi_656_;
+            let _e103 = phi_657_;
+            phi_658_ = _e101;
+            phi_659_ = _e103;
         } else {
-            phi_654_ = bool();
-            phi_655_ = true;
+            phi_658_ = bool();
+            phi_659_ = true;
         }
-        let _e105 = phi_654_;
-        let _e107 = phi_655_;
+        let _e105 = phi_658_;
+        let _e107 = phi_659_;
         if _e107 {
-            phi_659_ = false;
+            phi_663_ = false;
         } else {
-            phi_659_ = _e105;
+            phi_663_ = _e105;
         }
-        let _e109 = phi_659_;
+        let _e109 = phi_663_;
         if !(_e109) {
-            let _e112 = samples.member[_e74.first_primitive].normal;
-            let _e114 = samples.member[_e74.first_primitive].position;
-            if ((((_e112.x * (_e83.x - (_e114.x * _e83.w))) + (_e112.y * (_e83.y - (_e114.y * _e83.w)))) + (_e112.z * (_e83.z - (_e114.z * _e83.w)))) > 0f) {
-                let _e138 = samples.member[_e74.first_primitive].flags;
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e146.unnamed.visibility, false), _e146.unnamed_1);
-                phi_703_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e152.unnamed, ((_e138 & 1u) == 0u));
-            } else {
-                let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
-                phi_703_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, true);
-            }
-            let _e172 = phi_703_;
-            phi_707_ = _e172;
-        } else {
-            let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e178.unnamed.visibility, false), _e178.unnamed_1);
-            phi_707_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e184.unnamed, true);
-        }
-        let _e189 = phi_707_;
-        if _e189.unnamed_1 {
-            phi_1445_ = evaluate_Verdict(_e189.unnamed.visibility, _e189.unnamed.is_doubted);
-        } else {
-            let _e197 = samples.member[_e74.first_primitive].position;
-            let _e199 = p.member.map_size;
-            let _e201 = (0.5f / f32(_e199));
-            let _e208 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e215 = lt_math_LightPoint(vec2<f32>(_e208.uv.x, 0f), _e208.depth, _e208.is_inside);
-            let _e219 = lt_math_LightPoint(_e215.uv, 0f, _e215.is_inside);
-            phi_727_ = lt_math_LightPoint();
-            phi_730_ = 0u;
-            phi_732_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e219.uv, _e219.depth, false));
-            loop {
-                let _e226 = phi_727_;
-                let _e228 = phi_730_;
-                let _e230 = phi_732_;
-                local_2 = _e230;
-                local_3 = _e230;
-                local_4 = _e230;
-                if (_e228 < _e81) {
-                    if _e230.point.is_inside {
-                        phi_893_ = lt_math_LightPoint();
-                        phi_894_ = u32();
-                        phi_895_ = lt_math_LevelPoint();
-                        phi_896_ = false;
+            let _e112 = samples.member[_e75.first_primitive].position;
+            let _e114 = p.member.light.place;
+            let _e120 = p.member.light.place[3u];
+            let _e127 = (_e114.x - (_e112.x * _e120));
+            let _e128 = (_e114.y - (_e112.y * _e120));
+            let _e129 = (_e114.z - (_e112.z * _e120));
+            let _e131 = samples.member[_e75.first_primitive].normal;
+            if ((((_e131.x * _e127) + (_e131.y * _e128)) + (_e131.z * _e129)) > 0f) {
+                let _e145 = (((_e127 * _e127) + (_e128 * _e128)) + (_e129 * _e129));
+                let _e147 = p.member.light.axis;
+                let _e159 = p.member.light.place[3u];
+                if (_e159 == 0f) {
+                    phi_734_ = true;
+                } else {
+                    let _e162 = p.member.light.range_squared;
+                    if (_e145 <= _e162) {
+                        let _e165 = p.member.light.cos_outer;
+                        phi_733_ = (-((((_e127 * _e147.x) + (_e128 * _e147.y)) + (_e129 * _e147.z))) >= (_e165 * sqrt(_e145)));
                     } else {
-                        if (_e228 < _e68) {
+                        phi_733_ = false;
+                    }
+                    let _e170 = phi_733_;
+                    phi_734_ = _e170;
+                }
+                let _e172 = phi_734_;
+                if _e172 {
+                    let _e174 = samples.member[_e75.first_primitive].flags;
+                    let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e182.unnamed.visibility, false), _e182.unnamed_1);
+                    phi_745_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e188.unnamed, ((_e174 & 1u) == 0u));
+                    phi_746_ = false;
+                } else {
+                    phi_745_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_746_ = true;
+                }
+                let _e193 = phi_745_;
+                let _e195 = phi_746_;
+                phi_747_ = _e193;
+                phi_748_ = _e195;
+            } else {
+                phi_747_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_748_ = true;
+            }
+            let _e197 = phi_747_;
+            let _e199 = phi_748_;
+            if _e199 {
+                let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
+                phi_755_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, true);
+            } else {
+                phi_755_ = _e197;
+            }
+            let _e216 = phi_755_;
+            phi_759_ = _e216;
+        } else {
+            let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
+            phi_759_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, true);
+        }
+        let _e233 = phi_759_;
+        if _e233.unnamed_1 {
+            phi_1499_ = evaluate_Verdict(_e233.unnamed.visibility, _e233.unnamed.is_doubted);
+        } else {
+            let _e241 = samples.member[_e75.first_primitive].position;
+            let _e243 = p.member.map_size;
+            let _e245 = (0.5f / f32(_e243));
+            let _e252 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e259 = lt_math_LightPoint(vec2<f32>(_e252.uv.x, 0f), _e252.depth, _e252.is_inside);
+            let _e263 = lt_math_LightPoint(_e259.uv, 0f, _e259.is_inside);
+            phi_779_ = lt_math_LightPoint();
+            phi_782_ = 0u;
+            phi_784_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e263.uv, _e263.depth, false));
+            loop {
+                let _e270 = phi_779_;
+                let _e272 = phi_782_;
+                let _e274 = phi_784_;
+                local_2 = _e274;
+                local_3 = _e274;
+                local_4 = _e274;
+                if (_e272 < _e82) {
+                    if _e274.point.is_inside {
+                        phi_945_ = lt_math_LightPoint();
+                        phi_946_ = u32();
+                        phi_947_ = lt_math_LevelPoint();
+                        phi_948_ = false;
+                    } else {
+                        if (_e272 < _e69) {
                         } else {
                             return;
                         }
-                        let _e241 = levels.member[(0u + _e228)].row_w;
-                        let _e252 = ((((_e241.x * _e197.x) + (_e241.y * _e197.y)) + (_e241.z * _e197.z)) + (_e241.w * 1f));
-                        let _e254 = levels.member[(0u + _e228)].row_x;
-                        let _e266 = (((((_e254.x * _e197.x) + (_e254.y * _e197.y)) + (_e254.z * _e197.z)) + (_e254.w * 1f)) / _e252);
-                        let _e268 = levels.member[(0u + _e228)].row_y;
-                        let _e280 = (((((_e268.x * _e197.x) + (_e268.y * _e197.y)) + (_e268.z * _e197.z)) + (_e268.w * 1f)) / _e252);
-                        let _e282 = levels.member[(0u + _e228)].row_z;
-                        let _e293 = ((((_e282.x * _e197.x) + (_e282.y * _e197.y)) + (_e282.z * _e197.z)) + (_e282.w * 1f));
-                        if (_e252 > 0f) {
-                            if (_e266 >= 0f) {
-                                phi_818_ = (_e266 <= 1f);
+                        let _e285 = levels.member[(0u + _e272)].row_w;
+                        let _e296 = ((((_e285.x * _e241.x) + (_e285.y * _e241.y)) + (_e285.z * _e241.z)) + (_e285.w * 1f));
+                        let _e298 = levels.member[(0u + _e272)].row_x;
+                        let _e310 = (((((_e298.x * _e241.x) + (_e298.y * _e241.y)) + (_e298.z * _e241.z)) + (_e298.w * 1f)) / _e296);
+                        let _e312 = levels.member[(0u + _e272)].row_y;
+                        let _e324 = (((((_e312.x * _e241.x) + (_e312.y * _e241.y)) + (_e312.z * _e241.z)) + (_e312.w * 1f)) / _e296);
+                        let _e326 = levels.member[(0u + _e272)].row_z;
+                        let _e337 = ((((_e326.x * _e241.x) + (_e326.y * _e241.y)) + (_e326.z * _e241.z)) + (_e326.w * 1f));
+                        if (_e296 > 0f) {
+                            if (_e310 >= 0f) {
+                                phi_870_ = (_e310 <= 1f);
                             } else {
-                                phi_818_ = false;
+                                phi_870_ = false;
                             }
-                            let _e298 = phi_818_;
-                            if _e298 {
-                                if (_e280 >= 0f) {
-                                    phi_827_ = (_e280 <= 1f);
+                            let _e342 = phi_870_;
+                            if _e342 {
+                                if (_e324 >= 0f) {
+                                    phi_879_ = (_e324 <= 1f);
                                 } else {
-                                    phi_827_ = false;
+                                    phi_879_ = false;
                                 }
-                                let _e302 = phi_827_;
-                                if _e302 {
-                                    if (_e293 >= 0f) {
-                                        phi_836_ = (_e293 <= 1f);
+                                let _e346 = phi_879_;
+                                if _e346 {
+                                    if (_e337 >= 0f) {
+                                        phi_888_ = (_e337 <= 1f);
                                     } else {
-                                        phi_836_ = false;
+                                        phi_888_ = false;
                                     }
-                                    let _e306 = phi_836_;
-                                    phi_837_ = _e306;
-                                    phi_838_ = false;
+                                    let _e350 = phi_888_;
+                                    phi_889_ = _e350;
+                                    phi_890_ = false;
                                 } else {
-                                    phi_837_ = bool();
-                                    phi_838_ = true;
+                                    phi_889_ = bool();
+                                    phi_890_ = true;
                                 }
-                                let _e308 = phi_837_;
-                                let _e310 = phi_838_;
-                                phi_839_ = _e308;
-                                phi_840_ = _e310;
+                                let _e352 = phi_889_;
+                                let _e354 = phi_890_;
+                                phi_891_ = _e352;
+                                phi_892_ = _e354;
                             } else {
-                                phi_839_ = bool();
-                                phi_840_ = true;
+                                phi_891_ = bool();
+                                phi_892_ = true;
                             }
-                            let _e312 = phi_839_;
-                            let _e314 = phi_840_;
-                            phi_841_ = _e312;
-                            phi_842_ = _e314;
+                            let _e356 = phi_891_;
+                            let _e358 = phi_892_;
+                            phi_893_ = _e356;
+                            phi_894_ = _e358;
                         } else {
-                            phi_841_ = bool();
-                            phi_842_ = true;
+                            phi_893_ = bool();
+                            phi_894_ = true;
                         }
-                        let _e316 = phi_841_;
-                        let _e318 = phi_842_;
-                        if _e318 {
-                            phi_846_ = false;
+                        let _e360 = phi_893_;
+                        let _e362 = phi_894_;
+                        if _e362 {
+                            phi_898_ = false;
                         } else {
-                            phi_846_ = _e316;
+                            phi_898_ = _e360;
                         }
-                        let _e320 = phi_846_;
-                        if _e320 {
-                            if (_e266 >= _e201) {
-                                if (_e266 <= (1f - _e201)) {
-                                    if (_e280 >= _e201) {
-                                        phi_873_ = (_e280 <= (1f - _e201));
-                                        phi_874_ = false;
+                        let _e364 = phi_898_;
+                        if _e364 {
+                            if (_e310 >= _e245) {
+                                if (_e310 <= (1f - _e245)) {
+                                    if (_e324 >= _e245) {
+                                        phi_925_ = (_e324 <= (1f - _e245));
+                                        phi_926_ = false;
                                     } else {
-                                        phi_873_ = bool();
-                                        phi_874_ = true;
+                                        phi_925_ = bool();
+                                        phi_926_ = true;
                                     }
-                                    let _e328 = phi_873_;
-                                    let _e330 = phi_874_;
-                                    phi_875_ = _e328;
-                                    phi_876_ = _e330;
+                                    let _e372 = phi_925_;
+                                    let _e374 = phi_926_;
+                                    phi_927_ = _e372;
+                                    phi_928_ = _e374;
                                 } else {
-                                    phi_875_ = bool();
-                                    phi_876_ = true;
+                                    phi_927_ = bool();
+                                    phi_928_ = true;
                                 }
-                                let _e332 = phi_875_;
-                                let _e334 = phi_876_;
-                                phi_877_ = _e332;
-                                phi_878_ = _e334;
+                                let _e376 = phi_927_;
+                                let _e378 = phi_928_;
+                                phi_929_ = _e376;
+                                phi_930_ = _e378;
                             } else {
-                                phi_877_ = bool();
-                                phi_878_ = true;
+                                phi_929_ = bool();
+                                phi_930_ = true;
                             }
-                            let _e336 = phi_877_;
-                            let _e338 = phi_878_;
-                            phi_879_ = _e336;
-                            phi_880_ = _e338;
+                            let _e380 = phi_929_;
+                            let _e382 = phi_930_;
+                            phi_931_ = _e380;
+                            phi_932_ = _e382;
                         } else {
-                            phi_879_ = bool();
-                            phi_880_ = true;
+                            phi_931_ = bool();
+                            phi_932_ = true;
                         }
-                        let _e340 = phi_879_;
-                        let _e342 = phi_880_;
-                        if _e342 {
-                            phi_884_ = false;
+                        let _e384 = phi_931_;
+                        let _e386 = phi_932_;
+                        if _e386 {
+                            phi_936_ = false;
                         } else {
-                            phi_884_ = _e340;
+                            phi_936_ = _e384;
                         }
-                        let _e344 = phi_884_;
-                        let _e351 = lt_math_LightPoint(vec2<f32>(_e266, _e226.uv.y), _e226.depth, _e226.is_inside);
-                        let _e358 = lt_math_LightPoint(vec2<f32>(_e351.uv.x, _e280), _e351.depth, _e351.is_inside);
-                        let _e362 = lt_math_LightPoint(_e358.uv, _e293, _e358.is_inside);
-                        let _e366 = lt_math_LightPoint(_e362.uv, _e362.depth, _e344);
-                        phi_893_ = _e366;
-                        phi_894_ = (_e228 + 1u);
-                        phi_895_ = lt_math_LevelPoint(_e228, _e366);
-                        phi_896_ = true;
+                        let _e388 = phi_936_;
+                        let _e395 = lt_math_LightPoint(vec2<f32>(_e310, _e270.uv.y), _e270.depth, _e270.is_inside);
+                        let _e402 = lt_math_LightPoint(vec2<f32>(_e395.uv.x, _e324), _e395.depth, _e395.is_inside);
+                        let _e406 = lt_math_LightPoint(_e402.uv, _e337, _e402.is_inside);
+                        let _e410 = lt_math_LightPoint(_e406.uv, _e406.depth, _e388);
+                        phi_945_ = _e410;
+                        phi_946_ = (_e272 + 1u);
+                        phi_947_ = lt_math_LevelPoint(_e272, _e410);
+                        phi_948_ = true;
                     }
-                    let _e370 = phi_893_;
-                    let _e372 = phi_894_;
-                    let _e374 = phi_895_;
-                    let _e376 = phi_896_;
-                    phi_728_ = _e370;
-                    phi_731_ = _e372;
-                    phi_733_ = _e374;
-                    phi_897_ = _e376;
+                    let _e414 = phi_945_;
+                    let _e416 = phi_946_;
+                    let _e418 = phi_947_;
+                    let _e420 = phi_948_;
+                    phi_780_ = _e414;
+                    phi_783_ = _e416;
+                    phi_785_ = _e418;
+                    phi_949_ = _e420;
                 } else {
-                    phi_728_ = lt_math_LightPoint();
-                    phi_731_ = u32();
-                    phi_733_ = lt_math_LevelPoint();
-                    phi_897_ = false;
+                    phi_780_ = lt_math_LightPoint();
+                    phi_783_ = u32();
+                    phi_785_ = lt_math_LevelPoint();
+                    phi_949_ = false;
                 }
-                let _e378 = phi_728_;
-                let _e380 = phi_731_;
-                let _e382 = phi_733_;
-                let _e384 = phi_897_;
+                let _e422 = phi_780_;
+                let _e424 = phi_783_;
+                let _e426 = phi_785_;
+                let _e428 = phi_949_;
                 continue;
                 continuing {
-                    phi_727_ = _e378;
-                    phi_730_ = _e380;
-                    phi_732_ = _e382;
-                    break if !(_e384);
+                    phi_779_ = _e422;
+                    phi_782_ = _e424;
+                    phi_784_ = _e426;
+                    break if !(_e428);
                 }
             }
-            let _e387 = local_2;
-            if _e387.point.is_inside {
+            let _e431 = local_2;
+            if _e431.point.is_inside {
                 if (0f > 0f) {
-                    let _e393 = local_3;
-                    if (_e393.level < _e68) {
+                    let _e437 = local_3;
+                    if (_e437.level < _e69) {
                     } else {
                         return;
                     }
-                    let _e398 = levels.member[(0u + _e393.level)];
-                    let _e404 = global[0u];
-                    if (_e398.row_w.x == _e404) {
-                        let _e407 = global[1u];
-                        if (_e398.row_w.y == _e407) {
-                            let _e410 = global[2u];
-                            phi_937_ = (_e398.row_w.z == _e410);
-                            phi_938_ = false;
+                    let _e442 = levels.member[(0u + _e437.level)];
+                    let _e448 = global[0u];
+                    if (_e442.row_w.x == _e448) {
+                        let _e451 = global[1u];
+                        if (_e442.row_w.y == _e451) {
+                            let _e454 = global[2u];
+                            phi_989_ = (_e442.row_w.z == _e454);
+                            phi_990_ = false;
                         } else {
-                            phi_937_ = bool();
-                            phi_938_ = true;
+                            phi_989_ = bool();
+                            phi_990_ = true;
                         }
-                        let _e413 = phi_937_;
-                        let _e415 = phi_938_;
-                        phi_939_ = _e413;
-                        phi_940_ = _e415;
+                        let _e457 = phi_989_;
+                        let _e459 = phi_990_;
+                        phi_991_ = _e457;
+                        phi_992_ = _e459;
                     } else {
-                        phi_939_ = bool();
-                        phi_940_ = true;
+                        phi_991_ = bool();
+                        phi_992_ = true;
                     }
-                    let _e417 = phi_939_;
-                    let _e419 = phi_940_;
-                    if _e419 {
-                        phi_944_ = false;
+                    let _e461 = phi_991_;
+                    let _e463 = phi_992_;
+                    if _e463 {
+                        phi_996_ = false;
                     } else {
-                        phi_944_ = _e417;
+                        phi_996_ = _e461;
                     }
-                    let _e421 = phi_944_;
-                    if _e421 {
-                        let _e423 = samples.member[_e74.first_primitive].normal;
-                        let _e425 = p.member.map_size;
-                        let _e495 = ((abs(((((_e398.row_x.x * _e423.x) + (_e398.row_x.y * _e423.y)) + (_e398.row_x.z * _e423.z)) / (((_e398.row_x.x * _e398.row_x.x) + (_e398.row_x.y * _e398.row_x.y)) + (_e398.row_x.z * _e398.row_x.z)))) + abs(((((_e398.row_y.x * _e423.x) + (_e398.row_y.y * _e423.y)) + (_e398.row_y.z * _e423.z)) / (((_e398.row_y.x * _e398.row_y.x) + (_e398.row_y.y * _e398.row_y.y)) + (_e398.row_y.z * _e398.row_y.z))))) / (abs(((((_e398.row_z.x * _e423.x) + (_e398.row_z.y * _e423.y)) + (_e398.row_z.z * _e423.z)) / (((_e398.row_z.x * _e398.row_z.x) + (_e398.row_z.y * _e398.row_z.y)) + (_e398.row_z.z * _e398.row_z.z)))) * f32(_e425)));
-                        if (_e495 < 0.002f) {
-                            phi_1026_ = _e495;
+                    let _e465 = phi_996_;
+                    if _e465 {
+                        let _e467 = samples.member[_e75.first_primitive].normal;
+                        let _e469 = p.member.map_size;
+                        let _e539 = ((abs(((((_e442.row_x.x * _e467.x) + (_e442.row_x.y * _e467.y)) + (_e442.row_x.z * _e467.z)) / (((_e442.row_x.x * _e442.row_x.x) + (_e442.row_x.y * _e442.row_x.y)) + (_e442.row_x.z * _e442.row_x.z)))) + abs(((((_e442.row_y.x * _e467.x) + (_e442.row_y.y * _e467.y)) + (_e442.row_y.z * _e467.z)) / (((_e442.row_y.x * _e442.row_y.x) + (_e442.row_y.y * _e442.row_y.y)) + (_e442.row_y.z * _e442.row_y.z))))) / (abs(((((_e442.row_z.x * _e467.x) + (_e442.row_z.y * _e467.y)) + (_e442.row_z.z * _e467.z)) / (((_e442.row_z.x * _e442.row_z.x) + (_e442.row_z.y * _e442.row_z.y)) + (_e442.row_z.z * _e442.row_z.z)))) * f32(_e469)));
+                        if (_e539 < 0.002f) {
+                            phi_1078_ = _e539;
                         } else {
-                            phi_1026_ = 0.002f;
+                            phi_1078_ = 0.002f;
                         }
-                        let _e498 = phi_1026_;
-                        phi_1143_ = _e498;
+                        let _e542 = phi_1078_;
+                        phi_1197_ = _e542;
                     } else {
-                        let _e500 = p.member.map_size;
-                        let _e506 = samples.member[_e74.first_primitive].position;
-                        let _e517 = ((((_e398.row_w.x * _e506.x) + (_e398.row_w.y * _e506.y)) + (_e398.row_w.z * _e506.z)) + _e398.row_w.w);
-                        let _e530 = ((_e398.row_x.x - (_e398.row_w.x * _e387.point.uv.x)) / _e517);
-                        let _e531 = ((_e398.row_x.y - (_e398.row_w.y * _e387.point.uv.x)) / _e517);
-                        let _e532 = ((_e398.row_x.z - (_e398.row_w.z * _e387.point.uv.x)) / _e517);
-                        let _e545 = ((_e398.row_y.x - (_e398.row_w.x * _e387.point.uv.y)) / _e517);
-                        let _e546 = ((_e398.row_y.y - (_e398.row_w.y * _e387.point.uv.y)) / _e517);
-                        let _e547 = ((_e398.row_y.z - (_e398.row_w.z * _e387.point.uv.y)) / _e517);
-                        let _e553 = samples.member[_e74.first_primitive].normal;
-                        let _e558 = ((_e546 * _e553.z) - (_e553.y * _e547));
-                        let _e563 = ((_e547 * _e553.x) - (_e553.z * _e545));
-                        let _e568 = ((_e545 * _e553.y) - (_e553.x * _e546));
-                        let _e570 = samples.member[_e74.first_primitive].normal;
-                        let _e575 = ((_e531 * _e570.z) - (_e570.y * _e532));
-                        let _e580 = ((_e532 * _e570.x) - (_e570.z * _e530));
-                        let _e585 = ((_e530 * _e570.y) - (_e570.x * _e531));
-                        let _e612 = ((abs(((((_e398.row_z.x * _e558) + (_e398.row_z.y * _e563)) + (_e398.row_z.z * _e568)) / (((_e530 * _e558) + (_e531 * _e563)) + (_e532 * _e568)))) + abs(((((_e398.row_z.x * _e575) + (_e398.row_z.y * _e580)) + (_e398.row_z.z * _e585)) / (((_e545 * _e575) + (_e546 * _e580)) + (_e547 * _e585))))) / f32(_e500));
-                        if (_e612 < 0.002f) {
-                            phi_1142_ = _e612;
+                        let _e544 = p.member.map_size;
+                        let _e550 = samples.member[_e75.first_primitive].position;
+                        let _e561 = ((((_e442.row_w.x * _e550.x) + (_e442.row_w.y * _e550.y)) + (_e442.row_w.z * _e550.z)) + _e442.row_w.w);
+                        let _e574 = ((_e442.row_x.x - (_e442.row_w.x * _e431.point.uv.x)) / _e561);
+                        let _e575 = ((_e442.row_x.y - (_e442.row_w.y * _e431.point.uv.x)) / _e561);
+                        let _e576 = ((_e442.row_x.z - (_e442.row_w.z * _e431.point.uv.x)) / _e561);
+                        let _e589 = ((_e442.row_y.x - (_e442.row_w.x * _e431.point.uv.y)) / _e561);
+                        let _e590 = ((_e442.row_y.y - (_e442.row_w.y * _e431.point.uv.y)) / _e561);
+                        let _e591 = ((_e442.row_y.z - (_e442.row_w.z * _e431.point.uv.y)) / _e561);
+                        let _e597 = samples.member[_e75.first_primitive].normal;
+                        let _e602 = ((_e590 * _e597.z) - (_e597.y * _e591));
+                        let _e607 = ((_e591 * _e597.x) - (_e597.z * _e589));
+                        let _e612 = ((_e589 * _e597.y) - (_e597.x * _e590));
+                        let _e614 = samples.member[_e75.first_primitive].normal;
+                        let _e619 = ((_e575 * _e614.z) - (_e614.y * _e576));
+                        let _e624 = ((_e576 * _e614.x) - (_e614.z * _e574));
+                        let _e629 = ((_e574 * _e614.y) - (_e614.x * _e575));
+                        let _e656 = ((abs(((((_e442.row_z.x * _e602) + (_e442.row_z.y * _e607)) + (_e442.row_z.z * _e612)) / (((_e574 * _e602) + (_e575 * _e607)) + (_e576 * _e612)))) + abs(((((_e442.row_z.x * _e619) + (_e442.row_z.y * _e624)) + (_e442.row_z.z * _e629)) / (((_e589 * _e619) + (_e590 * _e624)) + (_e591 * _e629))))) / f32(_e544));
+                        let _e658 = (16f / f32(_e544));
+                        if (_e656 < _e658) {
+                            phi_1196_ = _e656;
                         } else {
-                            phi_1142_ = 0.002f;
+                            phi_1196_ = _e658;
                         }
-                        let _e615 = phi_1142_;
-                        phi_1143_ = _e615;
+                        let _e661 = phi_1196_;
+                        phi_1197_ = _e661;
                     }
-                    let _e617 = phi_1143_;
-                    phi_1146_ = (_e387.point.depth - (0f * _e617));
+                    let _e663 = phi_1197_;
+                    phi_1200_ = (_e431.point.depth - (0f * _e663));
                 } else {
-                    phi_1146_ = _e387.point.depth;
+                    phi_1200_ = _e431.point.depth;
                 }
-                let _e621 = phi_1146_;
-                let _e627 = p.member.map_size;
-                let _e628 = f32(_e627);
-                let _e631 = ((_e387.point.uv.x * _e628) - 0.5f);
-                let _e632 = ((_e387.point.uv.y * _e628) - 0.5f);
-                if (_e631 > -8388608f) {
-                    let _e644 = f32(select(0i, select(select(i32(_e631), i32(-2147483648), (_e631 < bitcast<f32>(3472883712u))), 2147483647i, (_e631 > bitcast<f32>(1325400063u))), (_e631 == _e631)));
-                    if (_e644 > _e631) {
-                        phi_1175_ = 1f;
+                let _e667 = phi_1200_;
+                let _e673 = p.member.map_size;
+                let _e674 = f32(_e673);
+                let _e677 = ((_e431.point.uv.x * _e674) - 0.5f);
+                let _e678 = ((_e431.point.uv.y * _e674) - 0.5f);
+                if (_e677 > -8388608f) {
+                    let _e690 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
+                    if (_e690 > _e677) {
+                        phi_1229_ = 1f;
                     } else {
-                        phi_1175_ = 0f;
+                        phi_1229_ = 0f;
                     }
-                    let _e647 = phi_1175_;
-                    if (_e631 < 8388608f) {
-                        phi_1180_ = (_e644 - _e647);
-                        phi_1181_ = false;
+                    let _e693 = phi_1229_;
+                    if (_e677 < 8388608f) {
+                        phi_1234_ = (_e690 - _e693);
+                        phi_1235_ = false;
                     } else {
-                        phi_1180_ = f32();
-                        phi_1181_ = true;
+                        phi_1234_ = f32();
+                        phi_1235_ = true;
                     }
-                    let _e650 = phi_1180_;
-                    let _e652 = phi_1181_;
-                    phi_1182_ = _e650;
-                    phi_1183_ = _e652;
+                    let _e696 = phi_1234_;
+                    let _e698 = phi_1235_;
+                    phi_1236_ = _e696;
+                    phi_1237_ = _e698;
                 } else {
-                    phi_1182_ = f32();
-                    phi_1183_ = true;
+                    phi_1236_ = f32();
+                    phi_1237_ = true;
                 }
-                let _e654 = phi_1182_;
-                let _e656 = phi_1183_;
-                if _e656 {
-                    phi_1187_ = _e631;
+                let _e700 = phi_1236_;
+                let _e702 = phi_1237_;
+                if _e702 {
+                    phi_1241_ = _e677;
                 } else {
-                    phi_1187_ = _e654;
+                    phi_1241_ = _e700;
                 }
-                let _e658 = phi_1187_;
-                if (_e632 > -8388608f) {
-                    let _e670 = f32(select(0i, select(select(i32(_e632), i32(-2147483648), (_e632 < bitcast<f32>(3472883712u))), 2147483647i, (_e632 > bitcast<f32>(1325400063u))), (_e632 == _e632)));
-                    if (_e670 > _e632) {
-                        phi_1207_ = 1f;
+                let _e704 = phi_1241_;
+                if (_e678 > -8388608f) {
+                    let _e716 = f32(select(0i, select(select(i32(_e678), i32(-2147483648), (_e678 < bitcast<f32>(3472883712u))), 2147483647i, (_e678 > bitcast<f32>(1325400063u))), (_e678 == _e678)));
+                    if (_e716 > _e678) {
+                        phi_1261_ = 1f;
                     } else {
-                        phi_1207_ = 0f;
+                        phi_1261_ = 0f;
                     }
-                    let _e673 = phi_1207_;
-                    if (_e632 < 8388608f) {
-                        phi_1212_ = (_e670 - _e673);
-                        phi_1213_ = false;
+                    let _e719 = phi_1261_;
+                    if (_e678 < 8388608f) {
+                        phi_1266_ = (_e716 - _e719);
+                        phi_1267_ = false;
                     } else {
-                        phi_1212_ = f32();
-                        phi_1213_ = true;
+                        phi_1266_ = f32();
+                        phi_1267_ = true;
                     }
-                    let _e676 = phi_1212_;
-                    let _e678 = phi_1213_;
-                    phi_1214_ = _e676;
-                    phi_1215_ = _e678;
+                    let _e722 = phi_1266_;
+                    let _e724 = phi_1267_;
+                    phi_1268_ = _e722;
+                    phi_1269_ = _e724;
                 } else {
-                    phi_1214_ = f32();
-                    phi_1215_ = true;
+                    phi_1268_ = f32();
+                    phi_1269_ = true;
                 }
-                let _e680 = phi_1214_;
-                let _e682 = phi_1215_;
-                if _e682 {
-                    phi_1219_ = _e632;
+                let _e726 = phi_1268_;
+                let _e728 = phi_1269_;
+                if _e728 {
+                    phi_1273_ = _e678;
                 } else {
-                    phi_1219_ = _e680;
+                    phi_1273_ = _e726;
                 }
-                let _e684 = phi_1219_;
-                let _e685 = (_e631 - _e658);
-                let _e686 = (_e632 - _e684);
-                let _e695 = select(0i, select(select(i32(_e658), i32(-2147483648), (_e658 < bitcast<f32>(3472883712u))), 2147483647i, (_e658 > bitcast<f32>(1325400063u))), (_e658 == _e658));
-                let _e704 = select(0i, select(select(i32(_e684), i32(-2147483648), (_e684 < bitcast<f32>(3472883712u))), 2147483647i, (_e684 > bitcast<f32>(1325400063u))), (_e684 == _e684));
-                let _e707 = ((1f - _e685) * (1f - _e686));
-                let _e709 = (_e685 * (1f - _e686));
-                let _e711 = ((1f - _e685) * _e686);
-                let _e712 = (_e685 * _e686);
-                let _e714 = p.member.test;
-                let _e715 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e714);
-                let _e717 = p.member.map_size;
-                let _e719 = local_4;
-                local_1 = lt_math_Evsm(_e715.positive_exponent, _e715.negative_exponent, _e715.min_variance);
-                let _e726 = ((_e719.level * _e717) * _e717);
-                let _e728 = (bitcast<i32>(_e717) - 1i);
-                if (_e695 > 0i) {
-                    phi_1272_ = _e695;
+                let _e730 = phi_1273_;
+                let _e731 = (_e677 - _e704);
+                let _e732 = (_e678 - _e730);
+                let _e741 = select(0i, select(select(i32(_e704), i32(-2147483648), (_e704 < bitcast<f32>(3472883712u))), 2147483647i, (_e704 > bitcast<f32>(1325400063u))), (_e704 == _e704));
+                let _e750 = select(0i, select(select(i32(_e730), i32(-2147483648), (_e730 < bitcast<f32>(3472883712u))), 2147483647i, (_e730 > bitcast<f32>(1325400063u))), (_e730 == _e730));
+                let _e753 = ((1f - _e731) * (1f - _e732));
+                let _e755 = (_e731 * (1f - _e732));
+                let _e757 = ((1f - _e731) * _e732);
+                let _e758 = (_e731 * _e732);
+                let _e760 = p.member.test;
+                let _e761 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e760);
+                let _e763 = p.member.map_size;
+                let _e765 = local_4;
+                local_1 = lt_math_Evsm(_e761.positive_exponent, _e761.negative_exponent, _e761.min_variance);
+                let _e772 = ((_e765.level * _e763) * _e763);
+                let _e774 = (bitcast<i32>(_e763) - 1i);
+                if (_e741 > 0i) {
+                    phi_1326_ = _e741;
                 } else {
-                    phi_1272_ = 0i;
+                    phi_1326_ = 0i;
                 }
-                let _e731 = phi_1272_;
-                if (_e704 > 0i) {
-                    phi_1277_ = _e704;
+                let _e777 = phi_1326_;
+                if (_e750 > 0i) {
+                    phi_1331_ = _e750;
                 } else {
-                    phi_1277_ = 0i;
+                    phi_1331_ = 0i;
                 }
-                let _e734 = phi_1277_;
-                if (_e731 < _e728) {
-                    phi_1282_ = _e731;
+                let _e780 = phi_1331_;
+                if (_e777 < _e774) {
+                    phi_1336_ = _e777;
                 } else {
-                    phi_1282_ = _e728;
+                    phi_1336_ = _e774;
                 }
-                let _e737 = phi_1282_;
-                if (_e734 < _e728) {
-                    phi_1287_ = _e734;
+                let _e783 = phi_1336_;
+                if (_e780 < _e774) {
+                    phi_1341_ = _e780;
                 } else {
-                    phi_1287_ = _e728;
+                    phi_1341_ = _e774;
                 }
-                let _e740 = phi_1287_;
-                let _e741 = bitcast<u32>(_e737);
-                let _e743 = (_e695 + 1i);
-                let _e744 = (_e704 + 1i);
-                if (_e743 > 0i) {
-                    phi_1296_ = _e743;
+                let _e786 = phi_1341_;
+                let _e787 = bitcast<u32>(_e783);
+                let _e789 = (_e741 + 1i);
+                let _e790 = (_e750 + 1i);
+                if (_e789 > 0i) {
+                    phi_1350_ = _e789;
                 } else {
-                    phi_1296_ = 0i;
+                    phi_1350_ = 0i;
                 }
-                let _e747 = phi_1296_;
-                if (_e744 > 0i) {
-                    phi_1301_ = _e744;
+                let _e793 = phi_1350_;
+                if (_e790 > 0i) {
+                    phi_1355_ = _e790;
                 } else {
-                    phi_1301_ = 0i;
+                    phi_1355_ = 0i;
                 }
-                let _e750 = phi_1301_;
-                if (_e747 < _e728) {
-                    phi_1306_ = _e747;
+                let _e796 = phi_1355_;
+                if (_e793 < _e774) {
+                    phi_1360_ = _e793;
                 } else {
-                    phi_1306_ = _e728;
+                    phi_1360_ = _e774;
                 }
-                let _e753 = phi_1306_;
-                if (_e750 < _e728) {
-                    phi_1311_ = _e750;
+                let _e799 = phi_1360_;
+                if (_e796 < _e774) {
+                    phi_1365_ = _e796;
                 } else {
-                    phi_1311_ = _e728;
+                    phi_1365_ = _e774;
                 }
-                let _e756 = phi_1311_;
-                let _e757 = bitcast<u32>(_e753);
-                let _e759 = (bitcast<u32>(_e740) * _e717);
-                let _e760 = (bitcast<u32>(_e756) * _e717);
-                let _e765 = ((_e759 + _e741) + _e726);
-                let _e766 = ((_e759 + _e757) + _e726);
-                let _e767 = ((_e760 + _e741) + _e726);
-                let _e768 = ((_e760 + _e757) + _e726);
-                if (_e765 < _e63) {
+                let _e802 = phi_1365_;
+                let _e803 = bitcast<u32>(_e799);
+                let _e805 = (bitcast<u32>(_e786) * _e763);
+                let _e806 = (bitcast<u32>(_e802) * _e763);
+                let _e811 = ((_e805 + _e787) + _e772);
+                let _e812 = ((_e805 + _e803) + _e772);
+                let _e813 = ((_e806 + _e787) + _e772);
+                let _e814 = ((_e806 + _e803) + _e772);
+                if (_e811 < _e64) {
                 } else {
                     return;
                 }
-                let _e772 = map.member[(0u + _e765)];
-                if (_e766 < _e63) {
+                let _e818 = map.member[(0u + _e811)];
+                if (_e812 < _e64) {
                 } else {
                     return;
                 }
-                let _e784 = map.member[(0u + _e766)];
-                if (_e767 < _e63) {
+                let _e830 = map.member[(0u + _e812)];
+                if (_e813 < _e64) {
                 } else {
                     return;
                 }
-                let _e800 = map.member[(0u + _e767)];
-                if (_e768 < _e63) {
+                let _e846 = map.member[(0u + _e813)];
+                if (_e814 < _e64) {
                 } else {
                     return;
                 }
-                let _e816 = map.member[(0u + _e768)];
-                let _e830 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e772.x * _e707) + (_e784.x * _e709)) + (_e800.x * _e711)) + (_e816.x * _e712)), ((((_e772.y * _e707) + (_e784.y * _e709)) + (_e800.y * _e711)) + (_e816.y * _e712)), ((((_e772.z * _e707) + (_e784.z * _e709)) + (_e800.z * _e711)) + (_e816.z * _e712)), ((((_e772.w * _e707) + (_e784.w * _e709)) + (_e800.w * _e711)) + (_e816.w * _e712))), _e621);
-                let _e832 = p.member.epsilon;
-                if (_e830 <= _e832) {
-                    phi_1406_ = true;
+                let _e862 = map.member[(0u + _e814)];
+                let _e876 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e818.x * _e753) + (_e830.x * _e755)) + (_e846.x * _e757)) + (_e862.x * _e758)), ((((_e818.y * _e753) + (_e830.y * _e755)) + (_e846.y * _e757)) + (_e862.y * _e758)), ((((_e818.z * _e753) + (_e830.z * _e755)) + (_e846.z * _e757)) + (_e862.z * _e758)), ((((_e818.w * _e753) + (_e830.w * _e755)) + (_e846.w * _e757)) + (_e862.w * _e758))), _e667);
+                let _e878 = p.member.epsilon;
+                if (_e876 <= _e878) {
+                    phi_1460_ = true;
                 } else {
-                    phi_1406_ = (_e830 >= (1f - _e832));
+                    phi_1460_ = (_e876 >= (1f - _e878));
                 }
-                let _e837 = phi_1406_;
-                if ((bitcast<u32>(_e830) & 2147483647u) > 2139095040u) {
-                    phi_1414_ = true;
+                let _e883 = phi_1460_;
+                if ((bitcast<u32>(_e876) & 2147483647u) > 2139095040u) {
+                    phi_1468_ = true;
                 } else {
-                    phi_1414_ = !(_e837);
+                    phi_1468_ = !(_e883);
                 }
-                let _e843 = phi_1414_;
-                if _e843 {
-                    if (_e830 > 0f) {
-                        if (_e830 < 1f) {
-                            phi_1426_ = false;
+                let _e889 = phi_1468_;
+                if _e889 {
+                    if (_e876 > 0f) {
+                        if (_e876 < 1f) {
+                            phi_1480_ = false;
                         } else {
-                            phi_1426_ = true;
+                            phi_1480_ = true;
                         }
-                        let _e847 = phi_1426_;
-                        phi_1427_ = _e847;
+                        let _e893 = phi_1480_;
+                        phi_1481_ = _e893;
                     } else {
-                        phi_1427_ = true;
+                        phi_1481_ = true;
                     }
-                    let _e849 = phi_1427_;
-                    if _e849 {
-                        phi_1431_ = 0.5f;
+                    let _e895 = phi_1481_;
+                    if _e895 {
+                        phi_1485_ = 0.5f;
                     } else {
-                        phi_1431_ = _e830;
+                        phi_1485_ = _e876;
                     }
-                    let _e851 = phi_1431_;
-                    phi_1439_ = evaluate_Verdict(_e851, true);
+                    let _e897 = phi_1485_;
+                    phi_1493_ = evaluate_Verdict(_e897, true);
                 } else {
-                    if (_e830 > 0.5f) {
-                        phi_1437_ = 1f;
+                    if (_e876 > 0.5f) {
+                        phi_1491_ = 1f;
                     } else {
-                        phi_1437_ = 0f;
+                        phi_1491_ = 0f;
                     }
-                    let _e855 = phi_1437_;
-                    phi_1439_ = evaluate_Verdict(_e855, false);
+                    let _e901 = phi_1491_;
+                    phi_1493_ = evaluate_Verdict(_e901, false);
                 }
-                let _e858 = phi_1439_;
-                phi_1444_ = evaluate_Verdict(_e858.visibility, _e858.is_doubted);
+                let _e904 = phi_1493_;
+                phi_1498_ = evaluate_Verdict(_e904.visibility, _e904.is_doubted);
             } else {
-                phi_1444_ = evaluate_Verdict(0.5f, true);
+                phi_1498_ = evaluate_Verdict(0.5f, true);
             }
-            let _e864 = phi_1444_;
-            phi_1445_ = _e864;
+            let _e910 = phi_1498_;
+            phi_1499_ = _e910;
         }
-        let _e866 = phi_1445_;
-        visibility.member[_e74.first_primitive] = _e866.visibility;
-        phi_1449_ = _e866.is_doubted;
-        phi_1450_ = _e74.first_primitive;
+        let _e912 = phi_1499_;
+        visibility.member[_e75.first_primitive] = _e912.visibility;
+        phi_1503_ = _e912.is_doubted;
+        phi_1504_ = _e75.first_primitive;
     } else {
-        phi_1449_ = false;
-        phi_1450_ = 0u;
+        phi_1503_ = false;
+        phi_1504_ = 0u;
     }
-    let _e871 = phi_1449_;
-    let _e873 = phi_1450_;
-    if (_e58 == 0u) {
+    let _e917 = phi_1503_;
+    let _e919 = phi_1504_;
+    if (_e59 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e871 {
-        let _e877 = atomicAdd((&shared_[0u]), 1u);
-        phi_1461_ = _e877;
+    if _e917 {
+        let _e923 = atomicAdd((&shared_[0u]), 1u);
+        phi_1515_ = _e923;
     } else {
-        phi_1461_ = 0u;
+        phi_1515_ = 0u;
     }
-    let _e879 = phi_1461_;
+    let _e925 = phi_1515_;
     workgroupBarrier();
-    if (_e58 == 0u) {
-        let _e883 = atomicLoad((&shared_[0u]));
-        let _e884 = atomicAdd((&list.member[3u]), _e883);
-        atomicStore((&shared_[1u]), _e884);
+    if (_e59 == 0u) {
+        let _e929 = atomicLoad((&shared_[0u]));
+        let _e930 = atomicAdd((&list.member[3u]), _e929);
+        atomicStore((&shared_[1u]), _e930);
     }
     workgroupBarrier();
-    if _e871 {
-        let _e887 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e887) + _e879)]), _e873);
+    if _e917 {
+        let _e933 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e933) + _e925)]), _e919);
     }
     return;
 }

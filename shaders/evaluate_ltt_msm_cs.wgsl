@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -43,18 +52,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_36 {
+struct type_38 {
     member: abi_ShadowParams,
 }
 
@@ -67,7 +76,7 @@ struct lt_bvh_slab_Span {
     far: f32,
 }
 
-struct type_43 {
+struct type_45 {
     member: array<atomic<u32>>,
 }
 
@@ -78,45 +87,45 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_36;
+var<uniform> p: type_38;
 @group(0) @binding(2) 
 var<storage> map: type_18;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_43;
+var<storage, read_write> list: type_45;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_147_: lt_bvh_traverse_Tree;
-    var phi_148_: bool;
-    var phi_149_: lt_bvh_traverse_Tree;
-    var phi_150_: bool;
-    var phi_155_: lt_bvh_traverse_Tree;
+    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_151_: bool;
+    var phi_152_: lt_bvh_traverse_Tree;
+    var phi_153_: bool;
+    var phi_158_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_148_ = false;
+            phi_150_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_151_ = false;
         } else {
-            phi_147_ = lt_bvh_traverse_Tree();
-            phi_148_ = true;
+            phi_150_ = lt_bvh_traverse_Tree();
+            phi_151_ = true;
         }
-        let _e53 = phi_147_;
-        let _e55 = phi_148_;
-        phi_149_ = _e53;
-        phi_150_ = _e55;
+        let _e53 = phi_150_;
+        let _e55 = phi_151_;
+        phi_152_ = _e53;
+        phi_153_ = _e55;
     } else {
-        phi_149_ = lt_bvh_traverse_Tree();
-        phi_150_ = true;
+        phi_152_ = lt_bvh_traverse_Tree();
+        phi_153_ = true;
     }
-    let _e57 = phi_149_;
-    let _e59 = phi_150_;
+    let _e57 = phi_152_;
+    let _e59 = phi_153_;
     if _e59 {
-        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_158_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_155_ = _e57;
+        phi_158_ = _e57;
     }
-    let _e64 = phi_155_;
+    let _e64 = phi_158_;
     return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
 }
 
@@ -125,205 +134,205 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_182_: f32;
-    var phi_183_: f32;
-    var phi_184_: f32;
-    var phi_201_: f32;
-    var phi_202_: f32;
-    var phi_203_: f32;
-    var phi_219_: f32;
-    var phi_220_: f32;
-    var phi_221_: f32;
-    var phi_237_: f32;
-    var phi_238_: f32;
-    var phi_239_: f32;
-    var phi_255_: f32;
-    var phi_256_: f32;
-    var phi_257_: f32;
-    var phi_292_: bool;
-    var phi_293_: bool;
-    var phi_294_: bool;
+    var phi_185_: f32;
+    var phi_186_: f32;
+    var phi_187_: f32;
+    var phi_204_: f32;
+    var phi_205_: f32;
+    var phi_206_: f32;
+    var phi_222_: f32;
+    var phi_223_: f32;
+    var phi_224_: f32;
+    var phi_240_: f32;
+    var phi_241_: f32;
+    var phi_242_: f32;
+    var phi_258_: f32;
+    var phi_259_: f32;
+    var phi_260_: f32;
     var phi_295_: bool;
     var phi_296_: bool;
     var phi_297_: bool;
-    var phi_301_: bool;
-    var phi_612_: f32;
-    var phi_613_: f32;
-    var phi_614_: f32;
-    var phi_631_: f32;
-    var phi_632_: f32;
-    var phi_633_: f32;
-    var phi_650_: f32;
-    var phi_651_: f32;
-    var phi_652_: f32;
-    var phi_669_: f32;
-    var phi_670_: f32;
-    var phi_671_: f32;
-    var phi_694_: f32;
-    var phi_695_: f32;
-    var phi_696_: f32;
-    var phi_707_: f32;
-    var phi_722_: f32;
-    var phi_724_: lt_bvh_slab_Span;
-    var phi_782_: f32;
-    var phi_783_: f32;
-    var phi_784_: f32;
+    var phi_298_: bool;
+    var phi_299_: bool;
+    var phi_300_: bool;
+    var phi_304_: bool;
+    var phi_615_: f32;
+    var phi_616_: f32;
+    var phi_617_: f32;
+    var phi_634_: f32;
+    var phi_635_: f32;
+    var phi_636_: f32;
+    var phi_653_: f32;
+    var phi_654_: f32;
+    var phi_655_: f32;
+    var phi_672_: f32;
+    var phi_673_: f32;
+    var phi_674_: f32;
+    var phi_697_: f32;
+    var phi_698_: f32;
+    var phi_699_: f32;
+    var phi_710_: f32;
+    var phi_725_: f32;
+    var phi_727_: lt_bvh_slab_Span;
     var phi_785_: f32;
     var phi_786_: f32;
-    var phi_787_: bool;
-    var phi_791_: f32;
-    var phi_806_: f32;
-    var phi_807_: f32;
-    var phi_808_: f32;
+    var phi_787_: f32;
+    var phi_788_: f32;
+    var phi_789_: f32;
+    var phi_790_: bool;
+    var phi_794_: f32;
     var phi_809_: f32;
     var phi_810_: f32;
     var phi_811_: f32;
     var phi_812_: f32;
-    var phi_813_: bool;
+    var phi_813_: f32;
     var phi_814_: f32;
     var phi_815_: f32;
     var phi_816_: bool;
-    var phi_820_: f32;
+    var phi_817_: f32;
+    var phi_818_: f32;
+    var phi_819_: bool;
+    var phi_823_: f32;
 
     let _e44 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_184_ = param_7;
+        phi_187_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_183_ = 0f;
+            phi_186_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_182_ = 1f;
+                phi_185_ = 1f;
             } else {
-                phi_182_ = param_7;
+                phi_185_ = param_7;
             }
-            let _e51 = phi_182_;
-            phi_183_ = _e51;
+            let _e51 = phi_185_;
+            phi_186_ = _e51;
         }
-        let _e53 = phi_183_;
-        phi_184_ = _e53;
+        let _e53 = phi_186_;
+        phi_187_ = _e53;
     }
-    let _e55 = phi_184_;
+    let _e55 = phi_187_;
     let _e56 = (_e55 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_203_ = param_5.x;
+        phi_206_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_202_ = 0f;
+            phi_205_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_201_ = 1f;
+                phi_204_ = 1f;
             } else {
-                phi_201_ = param_5.x;
+                phi_204_ = param_5.x;
             }
-            let _e64 = phi_201_;
-            phi_202_ = _e64;
+            let _e64 = phi_204_;
+            phi_205_ = _e64;
         }
-        let _e66 = phi_202_;
-        phi_203_ = _e66;
+        let _e66 = phi_205_;
+        phi_206_ = _e66;
     }
-    let _e68 = phi_203_;
+    let _e68 = phi_206_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_221_ = param_5.y;
+        phi_224_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_220_ = 0f;
+            phi_223_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_219_ = 1f;
+                phi_222_ = 1f;
             } else {
-                phi_219_ = param_5.y;
+                phi_222_ = param_5.y;
             }
-            let _e76 = phi_219_;
-            phi_220_ = _e76;
+            let _e76 = phi_222_;
+            phi_223_ = _e76;
         }
-        let _e78 = phi_220_;
-        phi_221_ = _e78;
+        let _e78 = phi_223_;
+        phi_224_ = _e78;
     }
-    let _e80 = phi_221_;
+    let _e80 = phi_224_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_239_ = param_5.z;
+        phi_242_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_238_ = 0f;
+            phi_241_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_237_ = 1f;
+                phi_240_ = 1f;
             } else {
-                phi_237_ = param_5.z;
+                phi_240_ = param_5.z;
             }
-            let _e88 = phi_237_;
-            phi_238_ = _e88;
+            let _e88 = phi_240_;
+            phi_241_ = _e88;
         }
-        let _e90 = phi_238_;
-        phi_239_ = _e90;
+        let _e90 = phi_241_;
+        phi_242_ = _e90;
     }
-    let _e92 = phi_239_;
+    let _e92 = phi_242_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_257_ = param_5.w;
+        phi_260_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_256_ = 0f;
+            phi_259_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_255_ = 1f;
+                phi_258_ = 1f;
             } else {
-                phi_255_ = param_5.w;
+                phi_258_ = param_5.w;
             }
-            let _e100 = phi_255_;
-            phi_256_ = _e100;
+            let _e100 = phi_258_;
+            phi_259_ = _e100;
         }
-        let _e102 = phi_256_;
-        phi_257_ = _e102;
+        let _e102 = phi_259_;
+        phi_260_ = _e102;
     }
-    let _e104 = phi_257_;
+    let _e104 = phi_260_;
     let _e105 = (_e68 - _e56);
     let _e106 = (_e80 - _e56);
     let _e107 = (_e92 - _e56);
     let _e108 = (_e104 - _e56);
     let _e119 = ((((_e105 * param_6.x) + (_e106 * param_6.y)) + (_e107 * param_6.z)) + (_e108 * param_6.w));
     if ((bitcast<u32>(_e119) & 2147483647u) > 2139095040u) {
-        phi_814_ = _e119;
-        phi_815_ = f32();
-        phi_816_ = true;
+        phi_817_ = _e119;
+        phi_818_ = f32();
+        phi_819_ = true;
     } else {
         if (_e105 >= 0f) {
             if (_e106 >= 0f) {
                 if (_e107 >= 0f) {
-                    phi_292_ = (_e108 >= 0f);
-                    phi_293_ = false;
+                    phi_295_ = (_e108 >= 0f);
+                    phi_296_ = false;
                 } else {
-                    phi_292_ = bool();
-                    phi_293_ = true;
+                    phi_295_ = bool();
+                    phi_296_ = true;
                 }
-                let _e128 = phi_292_;
-                let _e130 = phi_293_;
-                phi_294_ = _e128;
-                phi_295_ = _e130;
+                let _e128 = phi_295_;
+                let _e130 = phi_296_;
+                phi_297_ = _e128;
+                phi_298_ = _e130;
             } else {
-                phi_294_ = bool();
-                phi_295_ = true;
+                phi_297_ = bool();
+                phi_298_ = true;
             }
-            let _e132 = phi_294_;
-            let _e134 = phi_295_;
-            phi_296_ = _e132;
-            phi_297_ = _e134;
+            let _e132 = phi_297_;
+            let _e134 = phi_298_;
+            phi_299_ = _e132;
+            phi_300_ = _e134;
         } else {
-            phi_296_ = bool();
-            phi_297_ = true;
+            phi_299_ = bool();
+            phi_300_ = true;
         }
-        let _e136 = phi_296_;
-        let _e138 = phi_297_;
+        let _e136 = phi_299_;
+        let _e138 = phi_300_;
         if _e138 {
-            phi_301_ = false;
+            phi_304_ = false;
         } else {
-            phi_301_ = _e136;
+            phi_304_ = _e136;
         }
-        let _e140 = phi_301_;
+        let _e140 = phi_304_;
         if _e140 {
-            phi_811_ = 1f;
-            phi_812_ = f32();
-            phi_813_ = true;
+            phi_814_ = 1f;
+            phi_815_ = f32();
+            phi_816_ = true;
         } else {
             let _e141 = (0.5f * _e44);
             let _e142 = (1f - _e44);
@@ -403,257 +412,263 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e428 = (_e422 < 0.0000000000000000000000000000000001f);
             if _e428 {
                 if ((bitcast<u32>(_e105) & 2147483647u) > 2139095040u) {
-                    phi_614_ = _e105;
+                    phi_617_ = _e105;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_613_ = 0f;
+                        phi_616_ = 0f;
                     } else {
                         if (_e105 < 0f) {
-                            phi_612_ = 0f;
+                            phi_615_ = 0f;
                         } else {
-                            phi_612_ = 1f;
+                            phi_615_ = 1f;
                         }
-                        let _e437 = phi_612_;
-                        phi_613_ = _e437;
+                        let _e437 = phi_615_;
+                        phi_616_ = _e437;
                     }
-                    let _e439 = phi_613_;
-                    phi_614_ = _e439;
+                    let _e439 = phi_616_;
+                    phi_617_ = _e439;
                 }
-                let _e441 = phi_614_;
+                let _e441 = phi_617_;
                 if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-                    phi_633_ = _e106;
+                    phi_636_ = _e106;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_632_ = 0f;
+                        phi_635_ = 0f;
                     } else {
                         if (_e106 < 0f) {
-                            phi_631_ = 0f;
+                            phi_634_ = 0f;
                         } else {
-                            phi_631_ = 1f;
+                            phi_634_ = 1f;
                         }
-                        let _e450 = phi_631_;
-                        phi_632_ = _e450;
+                        let _e450 = phi_634_;
+                        phi_635_ = _e450;
                     }
-                    let _e452 = phi_632_;
-                    phi_633_ = _e452;
+                    let _e452 = phi_635_;
+                    phi_636_ = _e452;
                 }
-                let _e454 = phi_633_;
+                let _e454 = phi_636_;
                 if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
-                    phi_652_ = _e107;
+                    phi_655_ = _e107;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_651_ = 0f;
+                        phi_654_ = 0f;
                     } else {
                         if (_e107 < 0f) {
-                            phi_650_ = 0f;
+                            phi_653_ = 0f;
                         } else {
-                            phi_650_ = 1f;
+                            phi_653_ = 1f;
                         }
-                        let _e463 = phi_650_;
-                        phi_651_ = _e463;
+                        let _e463 = phi_653_;
+                        phi_654_ = _e463;
                     }
-                    let _e465 = phi_651_;
-                    phi_652_ = _e465;
+                    let _e465 = phi_654_;
+                    phi_655_ = _e465;
                 }
-                let _e467 = phi_652_;
+                let _e467 = phi_655_;
                 if ((bitcast<u32>(_e108) & 2147483647u) > 2139095040u) {
-                    phi_671_ = _e108;
+                    phi_674_ = _e108;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_670_ = 0f;
+                        phi_673_ = 0f;
                     } else {
                         if (_e108 < 0f) {
-                            phi_669_ = 0f;
+                            phi_672_ = 0f;
                         } else {
-                            phi_669_ = 1f;
+                            phi_672_ = 1f;
                         }
-                        let _e476 = phi_669_;
-                        phi_670_ = _e476;
+                        let _e476 = phi_672_;
+                        phi_673_ = _e476;
                     }
-                    let _e478 = phi_670_;
-                    phi_671_ = _e478;
+                    let _e478 = phi_673_;
+                    phi_674_ = _e478;
                 }
-                let _e480 = phi_671_;
+                let _e480 = phi_674_;
                 let _e488 = (((((_e441 * _e144) + (_e454 * _e146)) + (_e467 * _e148)) + (_e480 * _e150)) + _e141);
                 if ((bitcast<u32>(_e488) & 2147483647u) > 2139095040u) {
-                    phi_696_ = _e488;
+                    phi_699_ = _e488;
                 } else {
                     if (_e488 < 0f) {
-                        phi_695_ = 0f;
+                        phi_698_ = 0f;
                     } else {
                         if (_e488 > 1f) {
-                            phi_694_ = 1f;
+                            phi_697_ = 1f;
                         } else {
-                            phi_694_ = _e488;
+                            phi_697_ = _e488;
                         }
-                        let _e495 = phi_694_;
-                        phi_695_ = _e495;
+                        let _e495 = phi_697_;
+                        phi_698_ = _e495;
                     }
-                    let _e497 = phi_695_;
-                    phi_696_ = _e497;
+                    let _e497 = phi_698_;
+                    phi_699_ = _e497;
                 }
-                let _e499 = phi_696_;
-                phi_809_ = _e499;
-                phi_810_ = f32();
+                let _e499 = phi_699_;
+                phi_812_ = _e499;
+                phi_813_ = f32();
             } else {
                 let _e501 = ((0.5f * -(((((((((_e205 * (_e105 + _e106)) + (_e209 * (_e105 + _e107))) + (_e233 * (_e105 + _e151))) + (_e245 * (_e105 + _e152))) + ((((_e206 * (_e106 + _e107)) + (_e210 * (_e106 + _e108))) + (_e234 * (_e106 + _e151))) + (_e246 * (_e106 + _e152)))) + ((((_e207 * (_e107 + _e108)) + (_e211 * (_e107 + _e105))) + (_e235 * (_e107 + _e151))) + (_e247 * (_e107 + _e152)))) + ((((_e208 * (_e108 + _e105)) + (_e212 * (_e108 + _e106))) + (_e236 * (_e108 + _e151))) + (_e248 * (_e108 + _e152)))) + (_e419 * (_e151 + _e152))))) / _e422);
                 let _e502 = ((((((((_e205 + _e209) + _e233) + _e245) + (((_e206 + _e210) + _e234) + _e246)) + (((_e207 + _e211) + _e235) + _e247)) + (((_e208 + _e212) + _e236) + _e248)) + _e419) / _e422);
                 let _e504 = ((_e501 * _e501) - _e502);
                 if (_e504 > 0f) {
-                    phi_707_ = sqrt(_e504);
+                    phi_710_ = sqrt(_e504);
                 } else {
-                    phi_707_ = 0f;
+                    phi_710_ = 0f;
                 }
-                let _e508 = phi_707_;
+                let _e508 = phi_710_;
                 if (_e501 > 0f) {
                     let _e511 = (-(_e501) - _e508);
-                    phi_724_ = lt_bvh_slab_Span(_e511, (_e502 / _e511));
+                    phi_727_ = lt_bvh_slab_Span(_e511, (_e502 / _e511));
                 } else {
                     let _e514 = (_e508 - _e501);
                     if (_e514 > 0f) {
-                        phi_722_ = (_e502 / _e514);
+                        phi_725_ = (_e502 / _e514);
                     } else {
-                        phi_722_ = 0f;
+                        phi_725_ = 0f;
                     }
-                    let _e518 = phi_722_;
-                    phi_724_ = lt_bvh_slab_Span(_e518, _e514);
+                    let _e518 = phi_725_;
+                    phi_727_ = lt_bvh_slab_Span(_e518, _e514);
                 }
-                let _e521 = phi_724_;
+                let _e521 = phi_727_;
                 if (_e521.near >= 0f) {
-                    phi_785_ = 1f;
-                    phi_786_ = f32();
-                    phi_787_ = true;
+                    phi_788_ = 1f;
+                    phi_789_ = f32();
+                    phi_790_ = true;
                 } else {
                     let _e525 = (_e521.far <= 0f);
                     if _e525 {
-                        phi_783_ = (_e416 / _e422);
-                        phi_784_ = f32();
+                        phi_786_ = (_e416 / _e422);
+                        phi_787_ = f32();
                     } else {
                         let _e536 = (((((_e144 * _e105) + (_e146 * _e106)) + (_e148 * _e107)) + (_e150 * _e108)) + (_e141 * (_e151 + _e152)));
                         let _e552 = (((((_e144 * (_e105 * _e105)) + (_e146 * (_e106 * _e106))) + (_e148 * (_e107 * _e107))) + (_e150 * (_e108 * _e108))) + (_e141 * ((_e151 * _e151) + (_e152 * _e152))));
                         if (-(_e521.near) <= _e521.far) {
-                            phi_782_ = (1f - (((_e521.near * _e521.near) * ((_e521.far * _e552) - _e536)) / (_e521.far - _e521.near)));
+                            phi_785_ = (1f - (((_e521.near * _e521.near) * ((_e521.far * _e552) - _e536)) / (_e521.far - _e521.near)));
                         } else {
-                            phi_782_ = ((_e416 / _e422) + (((_e521.far * _e521.far) * (_e536 - (_e521.near * _e552))) / (_e521.far - _e521.near)));
+                            phi_785_ = ((_e416 / _e422) + (((_e521.far * _e521.far) * (_e536 - (_e521.near * _e552))) / (_e521.far - _e521.near)));
                         }
-                        let _e571 = phi_782_;
-                        phi_783_ = f32();
-                        phi_784_ = _e571;
+                        let _e571 = phi_785_;
+                        phi_786_ = f32();
+                        phi_787_ = _e571;
                     }
-                    let _e573 = phi_783_;
-                    let _e575 = phi_784_;
-                    phi_785_ = _e573;
-                    phi_786_ = _e575;
-                    phi_787_ = _e525;
+                    let _e573 = phi_786_;
+                    let _e575 = phi_787_;
+                    phi_788_ = _e573;
+                    phi_789_ = _e575;
+                    phi_790_ = _e525;
                 }
-                let _e577 = phi_785_;
-                let _e579 = phi_786_;
-                let _e581 = phi_787_;
+                let _e577 = phi_788_;
+                let _e579 = phi_789_;
+                let _e581 = phi_790_;
                 if _e581 {
-                    phi_791_ = _e577;
+                    phi_794_ = _e577;
                 } else {
-                    phi_791_ = _e579;
+                    phi_794_ = _e579;
                 }
-                let _e583 = phi_791_;
+                let _e583 = phi_794_;
                 if ((bitcast<u32>(_e583) & 2147483647u) > 2139095040u) {
-                    phi_808_ = _e583;
+                    phi_811_ = _e583;
                 } else {
                     if (_e583 < 0f) {
-                        phi_807_ = 0f;
+                        phi_810_ = 0f;
                     } else {
                         if (_e583 > 1f) {
-                            phi_806_ = 1f;
+                            phi_809_ = 1f;
                         } else {
-                            phi_806_ = _e583;
+                            phi_809_ = _e583;
                         }
-                        let _e590 = phi_806_;
-                        phi_807_ = _e590;
+                        let _e590 = phi_809_;
+                        phi_810_ = _e590;
                     }
-                    let _e592 = phi_807_;
-                    phi_808_ = _e592;
+                    let _e592 = phi_810_;
+                    phi_811_ = _e592;
                 }
-                let _e594 = phi_808_;
-                phi_809_ = f32();
-                phi_810_ = _e594;
+                let _e594 = phi_811_;
+                phi_812_ = f32();
+                phi_813_ = _e594;
             }
-            let _e596 = phi_809_;
-            let _e598 = phi_810_;
-            phi_811_ = _e596;
-            phi_812_ = _e598;
-            phi_813_ = _e428;
+            let _e596 = phi_812_;
+            let _e598 = phi_813_;
+            phi_814_ = _e596;
+            phi_815_ = _e598;
+            phi_816_ = _e428;
         }
-        let _e600 = phi_811_;
-        let _e602 = phi_812_;
-        let _e604 = phi_813_;
-        phi_814_ = _e600;
-        phi_815_ = _e602;
-        phi_816_ = _e604;
+        let _e600 = phi_814_;
+        let _e602 = phi_815_;
+        let _e604 = phi_816_;
+        phi_817_ = _e600;
+        phi_818_ = _e602;
+        phi_819_ = _e604;
     }
-    let _e606 = phi_814_;
-    let _e608 = phi_815_;
-    let _e610 = phi_816_;
+    let _e606 = phi_817_;
+    let _e608 = phi_818_;
+    let _e610 = phi_819_;
     if _e610 {
-        phi_820_ = _e606;
+        phi_823_ = _e606;
     } else {
-        phi_820_ = _e608;
+        phi_823_ = _e608;
     }
-    let _e612 = phi_820_;
+    let _e612 = phi_823_;
     return _e612;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_872_: bool;
-    var phi_873_: bool;
     var phi_874_: bool;
     var phi_875_: bool;
-    var phi_879_: bool;
-    var phi_923_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_927_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1001_: bool;
-    var phi_1010_: bool;
-    var phi_1019_: bool;
-    var phi_1020_: bool;
-    var phi_1021_: bool;
-    var phi_1022_: bool;
-    var phi_1023_: bool;
-    var phi_1024_: bool;
-    var phi_1025_: bool;
-    var phi_1029_: bool;
-    var phi_1119_: f32;
-    var phi_1122_: f32;
-    var phi_1151_: f32;
-    var phi_1156_: f32;
-    var phi_1157_: bool;
-    var phi_1158_: f32;
-    var phi_1159_: bool;
-    var phi_1163_: f32;
-    var phi_1183_: f32;
-    var phi_1188_: f32;
-    var phi_1189_: bool;
-    var phi_1190_: f32;
-    var phi_1191_: bool;
-    var phi_1195_: f32;
-    var phi_1243_: i32;
-    var phi_1248_: i32;
-    var phi_1253_: i32;
-    var phi_1258_: i32;
-    var phi_1267_: i32;
-    var phi_1272_: i32;
-    var phi_1277_: i32;
-    var phi_1282_: i32;
-    var phi_1333_: bool;
-    var phi_1341_: bool;
-    var phi_1353_: bool;
-    var phi_1354_: bool;
-    var phi_1358_: f32;
-    var phi_1364_: f32;
-    var phi_1366_: evaluate_Verdict;
-    var phi_1371_: evaluate_Verdict;
-    var phi_1372_: evaluate_Verdict;
-    var phi_1376_: bool;
-    var phi_1377_: u32;
-    var phi_1388_: u32;
+    var phi_876_: bool;
+    var phi_877_: bool;
+    var phi_881_: bool;
+    var phi_951_: bool;
+    var phi_952_: bool;
+    var phi_963_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_964_: bool;
+    var phi_965_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_966_: bool;
+    var phi_973_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_977_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1051_: bool;
+    var phi_1060_: bool;
+    var phi_1069_: bool;
+    var phi_1070_: bool;
+    var phi_1071_: bool;
+    var phi_1072_: bool;
+    var phi_1073_: bool;
+    var phi_1074_: bool;
+    var phi_1075_: bool;
+    var phi_1079_: bool;
+    var phi_1169_: f32;
+    var phi_1172_: f32;
+    var phi_1201_: f32;
+    var phi_1206_: f32;
+    var phi_1207_: bool;
+    var phi_1208_: f32;
+    var phi_1209_: bool;
+    var phi_1213_: f32;
+    var phi_1233_: f32;
+    var phi_1238_: f32;
+    var phi_1239_: bool;
+    var phi_1240_: f32;
+    var phi_1241_: bool;
+    var phi_1245_: f32;
+    var phi_1293_: i32;
+    var phi_1298_: i32;
+    var phi_1303_: i32;
+    var phi_1308_: i32;
+    var phi_1317_: i32;
+    var phi_1322_: i32;
+    var phi_1327_: i32;
+    var phi_1332_: i32;
+    var phi_1383_: bool;
+    var phi_1391_: bool;
+    var phi_1403_: bool;
+    var phi_1404_: bool;
+    var phi_1408_: f32;
+    var phi_1414_: f32;
+    var phi_1416_: evaluate_Verdict;
+    var phi_1421_: evaluate_Verdict;
+    var phi_1422_: evaluate_Verdict;
+    var phi_1426_: bool;
+    var phi_1427_: u32;
+    var phi_1438_: u32;
 
     let _e41 = id_1;
     let _e42 = local_2;
@@ -664,369 +679,408 @@ fn function_() {
     if (bitcast<i32>(_e55.root) != 0i) {
         let _e62 = p.member.projection;
         let _e63 = lt_math_OneLevel(_e62);
-        let _e65 = p.member.light;
-        let _e68 = samples.member[_e55.first_primitive].normal[0u];
-        let _e70 = global[0u];
-        if (_e68 == _e70) {
-            let _e73 = samples.member[_e55.first_primitive].normal[1u];
-            let _e75 = global[1u];
-            if (_e73 == _e75) {
-                let _e78 = samples.member[_e55.first_primitive].normal[2u];
-                let _e80 = global[2u];
-                phi_872_ = (_e78 == _e80);
-                phi_873_ = false;
+        let _e67 = samples.member[_e55.first_primitive].normal[0u];
+        let _e69 = global[0u];
+        if (_e67 == _e69) {
+            let _e72 = samples.member[_e55.first_primitive].normal[1u];
+            let _e74 = global[1u];
+            if (_e72 == _e74) {
+                let _e77 = samples.member[_e55.first_primitive].normal[2u];
+                let _e79 = global[2u];
+                phi_874_ = (_e77 == _e79);
+                phi_875_ = false;
             } else {
-                phi_872_ = bool();
-                phi_873_ = true;
+                phi_874_ = bool();
+                phi_875_ = true;
             }
-            let _e83 = phi_872_;
-            let _e85 = phi_873_;
-            phi_874_ = _e83;
-            phi_875_ = _e85;
+            let _e82 = phi_874_;
+            let _e84 = phi_875_;
+            phi_876_ = _e82;
+            phi_877_ = _e84;
         } else {
-            phi_874_ = bool();
-            phi_875_ = true;
+            phi_876_ = bool();
+            phi_877_ = true;
         }
-        let _e87 = phi_874_;
-        let _e89 = phi_875_;
-        if _e89 {
-            phi_879_ = false;
+        let _e86 = phi_876_;
+        let _e88 = phi_877_;
+        if _e88 {
+            phi_881_ = false;
         } else {
-            phi_879_ = _e87;
+            phi_881_ = _e86;
         }
-        let _e91 = phi_879_;
-        if !(_e91) {
-            let _e94 = samples.member[_e55.first_primitive].normal;
-            let _e96 = samples.member[_e55.first_primitive].position;
-            if ((((_e94.x * (_e65.x - (_e96.x * _e65.w))) + (_e94.y * (_e65.y - (_e96.y * _e65.w)))) + (_e94.z * (_e65.z - (_e96.z * _e65.w)))) > 0f) {
-                let _e120 = samples.member[_e55.first_primitive].flags;
-                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e128.unnamed.visibility, false), _e128.unnamed_1);
-                phi_923_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e134.unnamed, ((_e120 & 1u) == 0u));
-            } else {
-                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
-                phi_923_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, true);
-            }
-            let _e154 = phi_923_;
-            phi_927_ = _e154;
-        } else {
-            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
-            phi_927_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, true);
-        }
-        let _e171 = phi_927_;
-        if _e171.unnamed_1 {
-            phi_1372_ = evaluate_Verdict(_e171.unnamed.visibility, _e171.unnamed.is_doubted);
-        } else {
-            let _e179 = samples.member[_e55.first_primitive].position;
-            let _e197 = ((((_e63.projection.row_w.x * _e179.x) + (_e63.projection.row_w.y * _e179.y)) + (_e63.projection.row_w.z * _e179.z)) + (_e63.projection.row_w.w * 1f));
-            let _e211 = (((((_e63.projection.row_x.x * _e179.x) + (_e63.projection.row_x.y * _e179.y)) + (_e63.projection.row_x.z * _e179.z)) + (_e63.projection.row_x.w * 1f)) / _e197);
-            let _e225 = (((((_e63.projection.row_y.x * _e179.x) + (_e63.projection.row_y.y * _e179.y)) + (_e63.projection.row_y.z * _e179.z)) + (_e63.projection.row_y.w * 1f)) / _e197);
-            let _e238 = ((((_e63.projection.row_z.x * _e179.x) + (_e63.projection.row_z.y * _e179.y)) + (_e63.projection.row_z.z * _e179.z)) + (_e63.projection.row_z.w * 1f));
-            if (_e197 > 0f) {
-                if (_e211 >= 0f) {
-                    phi_1001_ = (_e211 <= 1f);
+        let _e90 = phi_881_;
+        if !(_e90) {
+            let _e93 = samples.member[_e55.first_primitive].position;
+            let _e95 = p.member.light.place;
+            let _e101 = p.member.light.place[3u];
+            let _e108 = (_e95.x - (_e93.x * _e101));
+            let _e109 = (_e95.y - (_e93.y * _e101));
+            let _e110 = (_e95.z - (_e93.z * _e101));
+            let _e112 = samples.member[_e55.first_primitive].normal;
+            if ((((_e112.x * _e108) + (_e112.y * _e109)) + (_e112.z * _e110)) > 0f) {
+                let _e126 = (((_e108 * _e108) + (_e109 * _e109)) + (_e110 * _e110));
+                let _e128 = p.member.light.axis;
+                let _e140 = p.member.light.place[3u];
+                if (_e140 == 0f) {
+                    phi_952_ = true;
                 } else {
-                    phi_1001_ = false;
-                }
-                let _e243 = phi_1001_;
-                if _e243 {
-                    if (_e225 >= 0f) {
-                        phi_1010_ = (_e225 <= 1f);
+                    let _e143 = p.member.light.range_squared;
+                    if (_e126 <= _e143) {
+                        let _e146 = p.member.light.cos_outer;
+                        phi_951_ = (-((((_e108 * _e128.x) + (_e109 * _e128.y)) + (_e110 * _e128.z))) >= (_e146 * sqrt(_e126)));
                     } else {
-                        phi_1010_ = false;
+                        phi_951_ = false;
                     }
-                    let _e247 = phi_1010_;
-                    if _e247 {
-                        if (_e238 >= 0f) {
-                            phi_1019_ = (_e238 <= 1f);
+                    let _e151 = phi_951_;
+                    phi_952_ = _e151;
+                }
+                let _e153 = phi_952_;
+                if _e153 {
+                    let _e155 = samples.member[_e55.first_primitive].flags;
+                    let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e163.unnamed.visibility, false), _e163.unnamed_1);
+                    phi_963_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e169.unnamed, ((_e155 & 1u) == 0u));
+                    phi_964_ = false;
+                } else {
+                    phi_963_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_964_ = true;
+                }
+                let _e174 = phi_963_;
+                let _e176 = phi_964_;
+                phi_965_ = _e174;
+                phi_966_ = _e176;
+            } else {
+                phi_965_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_966_ = true;
+            }
+            let _e178 = phi_965_;
+            let _e180 = phi_966_;
+            if _e180 {
+                let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
+                phi_973_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, true);
+            } else {
+                phi_973_ = _e178;
+            }
+            let _e197 = phi_973_;
+            phi_977_ = _e197;
+        } else {
+            let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
+            phi_977_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
+        }
+        let _e214 = phi_977_;
+        if _e214.unnamed_1 {
+            phi_1422_ = evaluate_Verdict(_e214.unnamed.visibility, _e214.unnamed.is_doubted);
+        } else {
+            let _e222 = samples.member[_e55.first_primitive].position;
+            let _e240 = ((((_e63.projection.row_w.x * _e222.x) + (_e63.projection.row_w.y * _e222.y)) + (_e63.projection.row_w.z * _e222.z)) + (_e63.projection.row_w.w * 1f));
+            let _e254 = (((((_e63.projection.row_x.x * _e222.x) + (_e63.projection.row_x.y * _e222.y)) + (_e63.projection.row_x.z * _e222.z)) + (_e63.projection.row_x.w * 1f)) / _e240);
+            let _e268 = (((((_e63.projection.row_y.x * _e222.x) + (_e63.projection.row_y.y * _e222.y)) + (_e63.projection.row_y.z * _e222.z)) + (_e63.projection.row_y.w * 1f)) / _e240);
+            let _e281 = ((((_e63.projection.row_z.x * _e222.x) + (_e63.projection.row_z.y * _e222.y)) + (_e63.projection.row_z.z * _e222.z)) + (_e63.projection.row_z.w * 1f));
+            if (_e240 > 0f) {
+                if (_e254 >= 0f) {
+                    phi_1051_ = (_e254 <= 1f);
+                } else {
+                    phi_1051_ = false;
+                }
+                let _e286 = phi_1051_;
+                if _e286 {
+                    if (_e268 >= 0f) {
+                        phi_1060_ = (_e268 <= 1f);
+                    } else {
+                        phi_1060_ = false;
+                    }
+                    let _e290 = phi_1060_;
+                    if _e290 {
+                        if (_e281 >= 0f) {
+                            phi_1069_ = (_e281 <= 1f);
                         } else {
-                            phi_1019_ = false;
+                            phi_1069_ = false;
                         }
-                        let _e251 = phi_1019_;
-                        phi_1020_ = _e251;
-                        phi_1021_ = false;
+                        let _e294 = phi_1069_;
+                        phi_1070_ = _e294;
+                        phi_1071_ = false;
                     } else {
-                        phi_1020_ = bool();
-                        phi_1021_ = true;
+                        phi_1070_ = bool();
+                        phi_1071_ = true;
                     }
-                    let _e253 = phi_1020_;
-                    let _e255 = phi_1021_;
-                    phi_1022_ = _e253;
-                    phi_1023_ = _e255;
+                    let _e296 = phi_1070_;
+                    let _e298 = phi_1071_;
+                    phi_1072_ = _e296;
+                    phi_1073_ = _e298;
                 } else {
-                    phi_1022_ = bool();
-                    phi_1023_ = true;
+                    phi_1072_ = bool();
+                    phi_1073_ = true;
                 }
-                let _e257 = phi_1022_;
-                let _e259 = phi_1023_;
-                phi_1024_ = _e257;
-                phi_1025_ = _e259;
+                let _e300 = phi_1072_;
+                let _e302 = phi_1073_;
+                phi_1074_ = _e300;
+                phi_1075_ = _e302;
             } else {
-                phi_1024_ = bool();
-                phi_1025_ = true;
+                phi_1074_ = bool();
+                phi_1075_ = true;
             }
-            let _e261 = phi_1024_;
-            let _e263 = phi_1025_;
-            if _e263 {
-                phi_1029_ = false;
+            let _e304 = phi_1074_;
+            let _e306 = phi_1075_;
+            if _e306 {
+                phi_1079_ = false;
             } else {
-                phi_1029_ = _e261;
+                phi_1079_ = _e304;
             }
-            let _e265 = phi_1029_;
-            if _e265 {
+            let _e308 = phi_1079_;
+            if _e308 {
                 if (0f > 0f) {
-                    let _e268 = samples.member[_e55.first_primitive].normal;
-                    let _e270 = p.member.map_size;
-                    let _e340 = ((abs(((((_e62.row_x.x * _e268.x) + (_e62.row_x.y * _e268.y)) + (_e62.row_x.z * _e268.z)) / (((_e62.row_x.x * _e62.row_x.x) + (_e62.row_x.y * _e62.row_x.y)) + (_e62.row_x.z * _e62.row_x.z)))) + abs(((((_e62.row_y.x * _e268.x) + (_e62.row_y.y * _e268.y)) + (_e62.row_y.z * _e268.z)) / (((_e62.row_y.x * _e62.row_y.x) + (_e62.row_y.y * _e62.row_y.y)) + (_e62.row_y.z * _e62.row_y.z))))) / (abs(((((_e62.row_z.x * _e268.x) + (_e62.row_z.y * _e268.y)) + (_e62.row_z.z * _e268.z)) / (((_e62.row_z.x * _e62.row_z.x) + (_e62.row_z.y * _e62.row_z.y)) + (_e62.row_z.z * _e62.row_z.z)))) * f32(_e270)));
-                    if (_e340 < 0.002f) {
-                        phi_1119_ = _e340;
+                    let _e311 = samples.member[_e55.first_primitive].normal;
+                    let _e313 = p.member.map_size;
+                    let _e383 = ((abs(((((_e62.row_x.x * _e311.x) + (_e62.row_x.y * _e311.y)) + (_e62.row_x.z * _e311.z)) / (((_e62.row_x.x * _e62.row_x.x) + (_e62.row_x.y * _e62.row_x.y)) + (_e62.row_x.z * _e62.row_x.z)))) + abs(((((_e62.row_y.x * _e311.x) + (_e62.row_y.y * _e311.y)) + (_e62.row_y.z * _e311.z)) / (((_e62.row_y.x * _e62.row_y.x) + (_e62.row_y.y * _e62.row_y.y)) + (_e62.row_y.z * _e62.row_y.z))))) / (abs(((((_e62.row_z.x * _e311.x) + (_e62.row_z.y * _e311.y)) + (_e62.row_z.z * _e311.z)) / (((_e62.row_z.x * _e62.row_z.x) + (_e62.row_z.y * _e62.row_z.y)) + (_e62.row_z.z * _e62.row_z.z)))) * f32(_e313)));
+                    if (_e383 < 0.002f) {
+                        phi_1169_ = _e383;
                     } else {
-                        phi_1119_ = 0.002f;
+                        phi_1169_ = 0.002f;
                     }
-                    let _e343 = phi_1119_;
-                    phi_1122_ = (_e238 - (0f * _e343));
+                    let _e386 = phi_1169_;
+                    phi_1172_ = (_e281 - (0f * _e386));
                 } else {
-                    phi_1122_ = _e238;
+                    phi_1172_ = _e281;
                 }
-                let _e347 = phi_1122_;
-                let _e349 = p.member.map_size;
-                let _e350 = f32(_e349);
-                let _e353 = ((_e211 * _e350) - 0.5f);
-                let _e354 = ((_e225 * _e350) - 0.5f);
-                if (_e353 > -8388608f) {
-                    let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
-                    if (_e366 > _e353) {
-                        phi_1151_ = 1f;
+                let _e390 = phi_1172_;
+                let _e392 = p.member.map_size;
+                let _e393 = f32(_e392);
+                let _e396 = ((_e254 * _e393) - 0.5f);
+                let _e397 = ((_e268 * _e393) - 0.5f);
+                if (_e396 > -8388608f) {
+                    let _e409 = f32(select(0i, select(select(i32(_e396), i32(-2147483648), (_e396 < bitcast<f32>(3472883712u))), 2147483647i, (_e396 > bitcast<f32>(1325400063u))), (_e396 == _e396)));
+                    if (_e409 > _e396) {
+                        phi_1201_ = 1f;
                     } else {
-                        phi_1151_ = 0f;
+                        phi_1201_ = 0f;
                     }
-                    let _e369 = phi_1151_;
-                    if (_e353 < 8388608f) {
-                        phi_1156_ = (_e366 - _e369);
-                        phi_1157_ = false;
+                    let _e412 = phi_1201_;
+                    if (_e396 < 8388608f) {
+                        phi_1206_ = (_e409 - _e412);
+                        phi_1207_ = false;
                     } else {
-                        phi_1156_ = f32();
-                        phi_1157_ = true;
+                        phi_1206_ = f32();
+                        phi_1207_ = true;
                     }
-                    let _e372 = phi_1156_;
-                    let _e374 = phi_1157_;
-                    phi_1158_ = _e372;
-                    phi_1159_ = _e374;
+                    let _e415 = phi_1206_;
+                    let _e417 = phi_1207_;
+                    phi_1208_ = _e415;
+                    phi_1209_ = _e417;
                 } else {
-                    phi_1158_ = f32();
-                    phi_1159_ = true;
+                    phi_1208_ = f32();
+                    phi_1209_ = true;
                 }
-                let _e376 = phi_1158_;
-                let _e378 = phi_1159_;
-                if _e378 {
-                    phi_1163_ = _e353;
+                let _e419 = phi_1208_;
+                let _e421 = phi_1209_;
+                if _e421 {
+                    phi_1213_ = _e396;
                 } else {
-                    phi_1163_ = _e376;
+                    phi_1213_ = _e419;
                 }
-                let _e380 = phi_1163_;
-                if (_e354 > -8388608f) {
-                    let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
-                    if (_e392 > _e354) {
-                        phi_1183_ = 1f;
+                let _e423 = phi_1213_;
+                if (_e397 > -8388608f) {
+                    let _e435 = f32(select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)));
+                    if (_e435 > _e397) {
+                        phi_1233_ = 1f;
                     } else {
-                        phi_1183_ = 0f;
+                        phi_1233_ = 0f;
                     }
-                    let _e395 = phi_1183_;
-                    if (_e354 < 8388608f) {
-                        phi_1188_ = (_e392 - _e395);
-                        phi_1189_ = false;
+                    let _e438 = phi_1233_;
+                    if (_e397 < 8388608f) {
+                        phi_1238_ = (_e435 - _e438);
+                        phi_1239_ = false;
                     } else {
-                        phi_1188_ = f32();
-                        phi_1189_ = true;
+                        phi_1238_ = f32();
+                        phi_1239_ = true;
                     }
-                    let _e398 = phi_1188_;
-                    let _e400 = phi_1189_;
-                    phi_1190_ = _e398;
-                    phi_1191_ = _e400;
+                    let _e441 = phi_1238_;
+                    let _e443 = phi_1239_;
+                    phi_1240_ = _e441;
+                    phi_1241_ = _e443;
                 } else {
-                    phi_1190_ = f32();
-                    phi_1191_ = true;
+                    phi_1240_ = f32();
+                    phi_1241_ = true;
                 }
-                let _e402 = phi_1190_;
-                let _e404 = phi_1191_;
-                if _e404 {
-                    phi_1195_ = _e354;
+                let _e445 = phi_1240_;
+                let _e447 = phi_1241_;
+                if _e447 {
+                    phi_1245_ = _e397;
                 } else {
-                    phi_1195_ = _e402;
+                    phi_1245_ = _e445;
                 }
-                let _e406 = phi_1195_;
-                let _e407 = (_e353 - _e380);
-                let _e408 = (_e354 - _e406);
-                let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
-                let _e426 = select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406));
-                let _e437 = p.member.test;
-                let _e438 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e437);
-                let _e440 = p.member.map_size;
-                local_1 = _e438;
-                let _e442 = ((0u * _e440) * _e440);
-                let _e444 = (bitcast<i32>(_e440) - 1i);
-                if (_e417 > 0i) {
-                    phi_1243_ = _e417;
-                } else {
-                    phi_1243_ = 0i;
-                }
-                let _e447 = phi_1243_;
-                if (_e426 > 0i) {
-                    phi_1248_ = _e426;
-                } else {
-                    phi_1248_ = 0i;
-                }
-                let _e450 = phi_1248_;
-                if (_e447 < _e444) {
-                    phi_1253_ = _e447;
-                } else {
-                    phi_1253_ = _e444;
-                }
-                let _e453 = phi_1253_;
-                if (_e450 < _e444) {
-                    phi_1258_ = _e450;
-                } else {
-                    phi_1258_ = _e444;
-                }
-                let _e456 = phi_1258_;
-                let _e457 = bitcast<u32>(_e453);
-                let _e459 = (_e417 + 1i);
-                let _e460 = (_e426 + 1i);
-                if (_e459 > 0i) {
-                    phi_1267_ = _e459;
-                } else {
-                    phi_1267_ = 0i;
-                }
-                let _e463 = phi_1267_;
+                let _e449 = phi_1245_;
+                let _e450 = (_e396 - _e423);
+                let _e451 = (_e397 - _e449);
+                let _e460 = select(0i, select(select(i32(_e423), i32(-2147483648), (_e423 < bitcast<f32>(3472883712u))), 2147483647i, (_e423 > bitcast<f32>(1325400063u))), (_e423 == _e423));
+                let _e469 = select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449));
+                let _e480 = p.member.test;
+                let _e481 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e480);
+                let _e483 = p.member.map_size;
+                local_1 = _e481;
+                let _e485 = ((0u * _e483) * _e483);
+                let _e487 = (bitcast<i32>(_e483) - 1i);
                 if (_e460 > 0i) {
-                    phi_1272_ = _e460;
+                    phi_1293_ = _e460;
                 } else {
-                    phi_1272_ = 0i;
+                    phi_1293_ = 0i;
                 }
-                let _e466 = phi_1272_;
-                if (_e463 < _e444) {
-                    phi_1277_ = _e463;
+                let _e490 = phi_1293_;
+                if (_e469 > 0i) {
+                    phi_1298_ = _e469;
                 } else {
-                    phi_1277_ = _e444;
+                    phi_1298_ = 0i;
                 }
-                let _e469 = phi_1277_;
-                if (_e466 < _e444) {
-                    phi_1282_ = _e466;
+                let _e493 = phi_1298_;
+                if (_e490 < _e487) {
+                    phi_1303_ = _e490;
                 } else {
-                    phi_1282_ = _e444;
+                    phi_1303_ = _e487;
                 }
-                let _e472 = phi_1282_;
-                let _e473 = bitcast<u32>(_e469);
-                let _e475 = (bitcast<u32>(_e456) * _e440);
-                let _e476 = (bitcast<u32>(_e472) * _e440);
-                let _e481 = ((_e475 + _e457) + _e442);
-                let _e482 = ((_e475 + _e473) + _e442);
-                let _e483 = ((_e476 + _e457) + _e442);
-                let _e484 = ((_e476 + _e473) + _e442);
-                if (_e481 < _e47) {
+                let _e496 = phi_1303_;
+                if (_e493 < _e487) {
+                    phi_1308_ = _e493;
+                } else {
+                    phi_1308_ = _e487;
+                }
+                let _e499 = phi_1308_;
+                let _e500 = bitcast<u32>(_e496);
+                let _e502 = (_e460 + 1i);
+                let _e503 = (_e469 + 1i);
+                if (_e502 > 0i) {
+                    phi_1317_ = _e502;
+                } else {
+                    phi_1317_ = 0i;
+                }
+                let _e506 = phi_1317_;
+                if (_e503 > 0i) {
+                    phi_1322_ = _e503;
+                } else {
+                    phi_1322_ = 0i;
+                }
+                let _e509 = phi_1322_;
+                if (_e506 < _e487) {
+                    phi_1327_ = _e506;
+                } else {
+                    phi_1327_ = _e487;
+                }
+                let _e512 = phi_1327_;
+                if (_e509 < _e487) {
+                    phi_1332_ = _e509;
+                } else {
+                    phi_1332_ = _e487;
+                }
+                let _e515 = phi_1332_;
+                let _e516 = bitcast<u32>(_e512);
+                let _e518 = (bitcast<u32>(_e499) * _e483);
+                let _e519 = (bitcast<u32>(_e515) * _e483);
+                let _e524 = ((_e518 + _e500) + _e485);
+                let _e525 = ((_e518 + _e516) + _e485);
+                let _e526 = ((_e519 + _e500) + _e485);
+                let _e527 = ((_e519 + _e516) + _e485);
+                if (_e524 < _e47) {
                 } else {
                     return;
                 }
-                let _e488 = map.member[(0u + _e481)];
-                if (_e482 < _e47) {
+                let _e531 = map.member[(0u + _e524)];
+                if (_e525 < _e47) {
                 } else {
                     return;
                 }
-                let _e492 = map.member[(0u + _e482)];
-                if (_e483 < _e47) {
+                let _e535 = map.member[(0u + _e525)];
+                if (_e526 < _e47) {
                 } else {
                     return;
                 }
-                let _e496 = map.member[(0u + _e483)];
-                if (_e484 < _e47) {
+                let _e539 = map.member[(0u + _e526)];
+                if (_e527 < _e47) {
                 } else {
                     return;
                 }
-                let _e500 = map.member[(0u + _e484)];
-                let _e502 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e488, _e492, _e496, _e500), vec4<f32>(((1f - _e407) * (1f - _e408)), (_e407 * (1f - _e408)), ((1f - _e407) * _e408), (_e407 * _e408)), _e347);
-                let _e504 = p.member.epsilon;
-                if (_e502 <= _e504) {
-                    phi_1333_ = true;
+                let _e543 = map.member[(0u + _e527)];
+                let _e545 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e531, _e535, _e539, _e543), vec4<f32>(((1f - _e450) * (1f - _e451)), (_e450 * (1f - _e451)), ((1f - _e450) * _e451), (_e450 * _e451)), _e390);
+                let _e547 = p.member.epsilon;
+                if (_e545 <= _e547) {
+                    phi_1383_ = true;
                 } else {
-                    phi_1333_ = (_e502 >= (1f - _e504));
+                    phi_1383_ = (_e545 >= (1f - _e547));
                 }
-                let _e509 = phi_1333_;
-                if ((bitcast<u32>(_e502) & 2147483647u) > 2139095040u) {
-                    phi_1341_ = true;
+                let _e552 = phi_1383_;
+                if ((bitcast<u32>(_e545) & 2147483647u) > 2139095040u) {
+                    phi_1391_ = true;
                 } else {
-                    phi_1341_ = !(_e509);
+                    phi_1391_ = !(_e552);
                 }
-                let _e515 = phi_1341_;
-                if _e515 {
-                    if (_e502 > 0f) {
-                        if (_e502 < 1f) {
-                            phi_1353_ = false;
+                let _e558 = phi_1391_;
+                if _e558 {
+                    if (_e545 > 0f) {
+                        if (_e545 < 1f) {
+                            phi_1403_ = false;
                         } else {
-                            phi_1353_ = true;
+                            phi_1403_ = true;
                         }
-                        let _e519 = phi_1353_;
-                        phi_1354_ = _e519;
+                        let _e562 = phi_1403_;
+                        phi_1404_ = _e562;
                     } else {
-                        phi_1354_ = true;
+                        phi_1404_ = true;
                     }
-                    let _e521 = phi_1354_;
-                    if _e521 {
-                        phi_1358_ = 0.5f;
+                    let _e564 = phi_1404_;
+                    if _e564 {
+                        phi_1408_ = 0.5f;
                     } else {
-                        phi_1358_ = _e502;
+                        phi_1408_ = _e545;
                     }
-                    let _e523 = phi_1358_;
-                    phi_1366_ = evaluate_Verdict(_e523, true);
+                    let _e566 = phi_1408_;
+                    phi_1416_ = evaluate_Verdict(_e566, true);
                 } else {
-                    if (_e502 > 0.5f) {
-                        phi_1364_ = 1f;
+                    if (_e545 > 0.5f) {
+                        phi_1414_ = 1f;
                     } else {
-                        phi_1364_ = 0f;
+                        phi_1414_ = 0f;
                     }
-                    let _e527 = phi_1364_;
-                    phi_1366_ = evaluate_Verdict(_e527, false);
+                    let _e570 = phi_1414_;
+                    phi_1416_ = evaluate_Verdict(_e570, false);
                 }
-                let _e530 = phi_1366_;
-                phi_1371_ = evaluate_Verdict(_e530.visibility, _e530.is_doubted);
+                let _e573 = phi_1416_;
+                phi_1421_ = evaluate_Verdict(_e573.visibility, _e573.is_doubted);
             } else {
-                phi_1371_ = evaluate_Verdict(0.5f, true);
+                phi_1421_ = evaluate_Verdict(0.5f, true);
             }
-            let _e536 = phi_1371_;
-            phi_1372_ = _e536;
+            let _e579 = phi_1421_;
+            phi_1422_ = _e579;
         }
-        let _e538 = phi_1372_;
-        visibility.member[_e55.first_primitive] = _e538.visibility;
-        phi_1376_ = _e538.is_doubted;
-        phi_1377_ = _e55.first_primitive;
+        let _e581 = phi_1422_;
+        visibility.member[_e55.first_primitive] = _e581.visibility;
+        phi_1426_ = _e581.is_doubted;
+        phi_1427_ = _e55.first_primitive;
     } else {
-        phi_1376_ = false;
-        phi_1377_ = 0u;
+        phi_1426_ = false;
+        phi_1427_ = 0u;
     }
-    let _e543 = phi_1376_;
-    let _e545 = phi_1377_;
+    let _e586 = phi_1426_;
+    let _e588 = phi_1427_;
     if (_e42 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e543 {
-        let _e549 = atomicAdd((&shared_[0u]), 1u);
-        phi_1388_ = _e549;
+    if _e586 {
+        let _e592 = atomicAdd((&shared_[0u]), 1u);
+        phi_1438_ = _e592;
     } else {
-        phi_1388_ = 0u;
+        phi_1438_ = 0u;
     }
-    let _e551 = phi_1388_;
+    let _e594 = phi_1438_;
     workgroupBarrier();
     if (_e42 == 0u) {
-        let _e555 = atomicLoad((&shared_[0u]));
-        let _e556 = atomicAdd((&list.member[3u]), _e555);
-        atomicStore((&shared_[1u]), _e556);
+        let _e598 = atomicLoad((&shared_[0u]));
+        let _e599 = atomicAdd((&list.member[3u]), _e598);
+        atomicStore((&shared_[1u]), _e599);
     }
     workgroupBarrier();
-    if _e543 {
-        let _e559 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e559) + _e551)]), _e545);
+    if _e586 {
+        let _e602 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e602) + _e594)]), _e588);
     }
     return;
 }

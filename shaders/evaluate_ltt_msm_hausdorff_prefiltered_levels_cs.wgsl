@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -34,7 +43,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<vec4<f32>>,
 }
 
@@ -47,18 +56,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: abi_ShadowParams,
 }
 
@@ -68,7 +77,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_47 {
+struct type_49 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -84,7 +93,7 @@ struct hankel_HankelFactors {
     d33_d22_: f32,
 }
 
-struct type_55 {
+struct type_57 {
     member: array<atomic<u32>>,
 }
 
@@ -95,48 +104,48 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_41;
+var<uniform> p: type_43;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_55;
+var<storage, read_write> list: type_57;
 @group(0) @binding(5) 
-var<storage> levels: type_47;
+var<storage> levels: type_49;
 @group(0) @binding(2) 
-var<storage> map: type_37;
+var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_173_: lt_bvh_traverse_Tree;
-    var phi_174_: bool;
-    var phi_175_: lt_bvh_traverse_Tree;
-    var phi_176_: bool;
-    var phi_181_: lt_bvh_traverse_Tree;
+    var phi_177_: lt_bvh_traverse_Tree;
+    var phi_178_: bool;
+    var phi_179_: lt_bvh_traverse_Tree;
+    var phi_180_: bool;
+    var phi_185_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_173_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_174_ = false;
+            phi_177_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_178_ = false;
         } else {
-            phi_173_ = lt_bvh_traverse_Tree();
-            phi_174_ = true;
+            phi_177_ = lt_bvh_traverse_Tree();
+            phi_178_ = true;
         }
-        let _e58 = phi_173_;
-        let _e60 = phi_174_;
-        phi_175_ = _e58;
-        phi_176_ = _e60;
+        let _e59 = phi_177_;
+        let _e61 = phi_178_;
+        phi_179_ = _e59;
+        phi_180_ = _e61;
     } else {
-        phi_175_ = lt_bvh_traverse_Tree();
-        phi_176_ = true;
+        phi_179_ = lt_bvh_traverse_Tree();
+        phi_180_ = true;
     }
-    let _e62 = phi_175_;
-    let _e64 = phi_176_;
-    if _e64 {
-        phi_181_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e63 = phi_179_;
+    let _e65 = phi_180_;
+    if _e65 {
+        phi_185_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_181_ = _e62;
+        phi_185_ = _e63;
     }
-    let _e69 = phi_181_;
-    return lt_bvh_traverse_Tree(_e69.root, _e69.first_primitive);
+    let _e70 = phi_185_;
+    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -148,1363 +157,1409 @@ fn lt_math_hausdorff_cubic_mass(param_4: vec4<f32>, param_5: f32, param_6: f32, 
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFactors>, param_10: f32) -> f32 {
-    var phi_951_: f32;
-    var phi_952_: f32;
-    var phi_953_: f32;
-    var phi_980_: f32;
-    var phi_981_: f32;
-    var phi_982_: f32;
-    var phi_983_: f32;
-    var phi_984_: bool;
+    var phi_955_: f32;
+    var phi_956_: f32;
+    var phi_957_: f32;
+    var phi_984_: f32;
     var phi_985_: f32;
-    var phi_986_: bool;
-    var phi_1014_: f32;
-    var phi_1015_: f32;
-    var phi_1016_: f32;
-    var phi_1017_: f32;
-    var phi_1018_: bool;
+    var phi_986_: f32;
+    var phi_987_: f32;
+    var phi_988_: bool;
+    var phi_989_: f32;
+    var phi_990_: bool;
+    var phi_1018_: f32;
     var phi_1019_: f32;
-    var phi_1020_: bool;
-    var phi_1027_: f32;
-    var phi_1028_: f32;
-    var phi_1029_: f32;
-    var phi_1030_: f32;
+    var phi_1020_: f32;
+    var phi_1021_: f32;
+    var phi_1022_: bool;
+    var phi_1023_: f32;
+    var phi_1024_: bool;
+    var phi_1031_: f32;
+    var phi_1032_: f32;
+    var phi_1033_: f32;
+    var phi_1034_: f32;
 
-    let _e48 = (*param_9).moments;
+    let _e49 = (*param_9).moments;
     if (param_10 < 0.0001f) {
-        phi_1030_ = 1f;
+        phi_1034_ = 1f;
     } else {
-        let _e57 = ((_e48.z - ((1f + param_10) * _e48.y)) + (param_10 * _e48.x));
-        let _e66 = (((_e48.w - ((1f + param_10) * _e48.z)) + (param_10 * _e48.y)) / _e57);
-        if (abs(_e57) <= 0.00000047683716f) {
-            let _e80 = (1f - (((_e48.y - (_e48.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
-            if ((bitcast<u32>(_e80) & 2147483647u) > 2139095040u) {
-                phi_953_ = _e80;
+        let _e58 = ((_e49.z - ((1f + param_10) * _e49.y)) + (param_10 * _e49.x));
+        let _e67 = (((_e49.w - ((1f + param_10) * _e49.z)) + (param_10 * _e49.y)) / _e58);
+        if (abs(_e58) <= 0.00000047683716f) {
+            let _e81 = (1f - (((_e49.y - (_e49.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
+            if ((bitcast<u32>(_e81) & 2147483647u) > 2139095040u) {
+                phi_957_ = _e81;
             } else {
-                if (_e80 < 0f) {
-                    phi_952_ = 0f;
+                if (_e81 < 0f) {
+                    phi_956_ = 0f;
                 } else {
-                    if (_e80 > 1f) {
-                        phi_951_ = 1f;
+                    if (_e81 > 1f) {
+                        phi_955_ = 1f;
                     } else {
-                        phi_951_ = _e80;
+                        phi_955_ = _e81;
                     }
-                    let _e87 = phi_951_;
-                    phi_952_ = _e87;
+                    let _e88 = phi_955_;
+                    phi_956_ = _e88;
                 }
-                let _e89 = phi_952_;
-                phi_953_ = _e89;
+                let _e90 = phi_956_;
+                phi_957_ = _e90;
             }
-            let _e91 = phi_953_;
-            phi_1029_ = _e91;
+            let _e92 = phi_957_;
+            phi_1033_ = _e92;
         } else {
-            if (_e66 > 0f) {
-                if (_e66 < param_10) {
-                    let _e94 = lt_math_hausdorff_cubic_mass(_e48, 0f, _e66, param_10, 1f);
-                    let _e96 = lt_math_hausdorff_cubic_mass(_e48, _e66, 0f, param_10, 1f);
-                    let _e97 = ((1f - _e94) - _e96);
-                    if ((bitcast<u32>(_e97) & 2147483647u) > 2139095040u) {
-                        phi_982_ = _e97;
+            if (_e67 > 0f) {
+                if (_e67 < param_10) {
+                    let _e95 = lt_math_hausdorff_cubic_mass(_e49, 0f, _e67, param_10, 1f);
+                    let _e97 = lt_math_hausdorff_cubic_mass(_e49, _e67, 0f, param_10, 1f);
+                    let _e98 = ((1f - _e95) - _e97);
+                    if ((bitcast<u32>(_e98) & 2147483647u) > 2139095040u) {
+                        phi_986_ = _e98;
                     } else {
-                        if (_e97 < 0f) {
-                            phi_981_ = 0f;
+                        if (_e98 < 0f) {
+                            phi_985_ = 0f;
                         } else {
-                            if (_e97 > 1f) {
-                                phi_980_ = 1f;
+                            if (_e98 > 1f) {
+                                phi_984_ = 1f;
                             } else {
-                                phi_980_ = _e97;
+                                phi_984_ = _e98;
                             }
-                            let _e104 = phi_980_;
-                            phi_981_ = _e104;
+                            let _e105 = phi_984_;
+                            phi_985_ = _e105;
                         }
-                        let _e106 = phi_981_;
-                        phi_982_ = _e106;
+                        let _e107 = phi_985_;
+                        phi_986_ = _e107;
                     }
-                    let _e108 = phi_982_;
-                    phi_983_ = _e108;
-                    phi_984_ = false;
+                    let _e109 = phi_986_;
+                    phi_987_ = _e109;
+                    phi_988_ = false;
                 } else {
-                    phi_983_ = f32();
-                    phi_984_ = true;
+                    phi_987_ = f32();
+                    phi_988_ = true;
                 }
-                let _e110 = phi_983_;
-                let _e112 = phi_984_;
-                phi_985_ = _e110;
-                phi_986_ = _e112;
+                let _e111 = phi_987_;
+                let _e113 = phi_988_;
+                phi_989_ = _e111;
+                phi_990_ = _e113;
             } else {
-                phi_985_ = f32();
-                phi_986_ = true;
+                phi_989_ = f32();
+                phi_990_ = true;
             }
-            let _e114 = phi_985_;
-            let _e116 = phi_986_;
-            if _e116 {
-                if (_e66 > param_10) {
-                    if (_e66 < 1f) {
-                        let _e119 = lt_math_hausdorff_cubic_mass(_e48, 0f, _e66, param_10, 1f);
-                        let _e120 = (1f - _e119);
-                        if ((bitcast<u32>(_e120) & 2147483647u) > 2139095040u) {
-                            phi_1016_ = _e120;
+            let _e115 = phi_989_;
+            let _e117 = phi_990_;
+            if _e117 {
+                if (_e67 > param_10) {
+                    if (_e67 < 1f) {
+                        let _e120 = lt_math_hausdorff_cubic_mass(_e49, 0f, _e67, param_10, 1f);
+                        let _e121 = (1f - _e120);
+                        if ((bitcast<u32>(_e121) & 2147483647u) > 2139095040u) {
+                            phi_1020_ = _e121;
                         } else {
-                            if (_e120 < 0f) {
-                                phi_1015_ = 0f;
+                            if (_e121 < 0f) {
+                                phi_1019_ = 0f;
                             } else {
-                                if (_e120 > 1f) {
-                                    phi_1014_ = 1f;
+                                if (_e121 > 1f) {
+                                    phi_1018_ = 1f;
                                 } else {
-                                    phi_1014_ = _e120;
+                                    phi_1018_ = _e121;
                                 }
-                                let _e127 = phi_1014_;
-                                phi_1015_ = _e127;
+                                let _e128 = phi_1018_;
+                                phi_1019_ = _e128;
                             }
-                            let _e129 = phi_1015_;
-                            phi_1016_ = _e129;
+                            let _e130 = phi_1019_;
+                            phi_1020_ = _e130;
                         }
-                        let _e131 = phi_1016_;
-                        phi_1017_ = _e131;
-                        phi_1018_ = false;
+                        let _e132 = phi_1020_;
+                        phi_1021_ = _e132;
+                        phi_1022_ = false;
                     } else {
-                        phi_1017_ = f32();
-                        phi_1018_ = true;
+                        phi_1021_ = f32();
+                        phi_1022_ = true;
                     }
-                    let _e133 = phi_1017_;
-                    let _e135 = phi_1018_;
-                    phi_1019_ = _e133;
-                    phi_1020_ = _e135;
+                    let _e134 = phi_1021_;
+                    let _e136 = phi_1022_;
+                    phi_1023_ = _e134;
+                    phi_1024_ = _e136;
                 } else {
-                    phi_1019_ = f32();
-                    phi_1020_ = true;
+                    phi_1023_ = f32();
+                    phi_1024_ = true;
                 }
-                let _e137 = phi_1019_;
-                let _e139 = phi_1020_;
-                if _e139 {
-                    phi_1027_ = bitcast<f32>((bitcast<u32>(_e66) | 2143289344u));
+                let _e138 = phi_1023_;
+                let _e140 = phi_1024_;
+                if _e140 {
+                    phi_1031_ = bitcast<f32>((bitcast<u32>(_e67) | 2143289344u));
                 } else {
-                    phi_1027_ = _e137;
+                    phi_1031_ = _e138;
                 }
-                let _e144 = phi_1027_;
-                phi_1028_ = _e144;
+                let _e145 = phi_1031_;
+                phi_1032_ = _e145;
             } else {
-                phi_1028_ = _e114;
+                phi_1032_ = _e115;
             }
-            let _e146 = phi_1028_;
-            phi_1029_ = _e146;
+            let _e147 = phi_1032_;
+            phi_1033_ = _e147;
         }
-        let _e148 = phi_1029_;
-        phi_1030_ = _e148;
+        let _e149 = phi_1033_;
+        phi_1034_ = _e149;
     }
-    let _e150 = phi_1030_;
-    return _e150;
+    let _e151 = phi_1034_;
+    return _e151;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_11: ptr<function, f32>, param_12: vec4<f32>, param_13: f32) -> f32 {
     var local_1: hankel_HankelFactors;
-    var phi_238_: f32;
-    var phi_239_: f32;
-    var phi_240_: f32;
-    var phi_252_: bool;
-    var phi_267_: bool;
-    var phi_292_: f32;
-    var phi_293_: f32;
-    var phi_294_: f32;
-    var phi_295_: f32;
-    var phi_296_: bool;
+    var phi_242_: f32;
+    var phi_243_: f32;
+    var phi_244_: f32;
+    var phi_256_: bool;
+    var phi_271_: bool;
+    var phi_296_: f32;
     var phi_297_: f32;
-    var phi_298_: bool;
-    var phi_354_: vec2<f32>;
-    var phi_392_: f32;
-    var phi_393_: f32;
-    var phi_394_: f32;
-    var phi_427_: f32;
-    var phi_428_: f32;
-    var phi_429_: f32;
+    var phi_298_: f32;
+    var phi_299_: f32;
+    var phi_300_: bool;
+    var phi_301_: f32;
+    var phi_302_: bool;
+    var phi_358_: vec2<f32>;
+    var phi_396_: f32;
+    var phi_397_: f32;
+    var phi_398_: f32;
+    var phi_431_: f32;
+    var phi_432_: f32;
     var phi_433_: f32;
-    var phi_434_: f32;
-    var phi_435_: f32;
-    var phi_436_: f32;
-    var phi_489_: vec2<f32>;
-    var phi_511_: bool;
-    var phi_536_: f32;
-    var phi_537_: f32;
-    var phi_538_: f32;
-    var phi_539_: f32;
-    var phi_540_: bool;
+    var phi_437_: f32;
+    var phi_438_: f32;
+    var phi_439_: f32;
+    var phi_440_: f32;
+    var phi_493_: vec2<f32>;
+    var phi_515_: bool;
+    var phi_540_: f32;
     var phi_541_: f32;
-    var phi_542_: bool;
-    var phi_598_: vec2<f32>;
-    var phi_636_: f32;
-    var phi_637_: f32;
-    var phi_638_: f32;
-    var phi_671_: f32;
-    var phi_672_: f32;
-    var phi_673_: f32;
+    var phi_542_: f32;
+    var phi_543_: f32;
+    var phi_544_: bool;
+    var phi_545_: f32;
+    var phi_546_: bool;
+    var phi_602_: vec2<f32>;
+    var phi_640_: f32;
+    var phi_641_: f32;
+    var phi_642_: f32;
+    var phi_675_: f32;
+    var phi_676_: f32;
     var phi_677_: f32;
-    var phi_678_: f32;
-    var phi_679_: f32;
-    var phi_680_: f32;
     var phi_681_: f32;
-    var phi_682_: bool;
+    var phi_682_: f32;
     var phi_683_: f32;
-    var phi_684_: bool;
-    var phi_706_: bool;
-    var phi_731_: f32;
-    var phi_732_: f32;
-    var phi_733_: f32;
-    var phi_734_: f32;
-    var phi_735_: bool;
+    var phi_684_: f32;
+    var phi_685_: f32;
+    var phi_686_: bool;
+    var phi_687_: f32;
+    var phi_688_: bool;
+    var phi_710_: bool;
+    var phi_735_: f32;
     var phi_736_: f32;
-    var phi_737_: bool;
-    var phi_793_: vec2<f32>;
-    var phi_831_: f32;
-    var phi_832_: f32;
-    var phi_833_: f32;
-    var phi_866_: f32;
-    var phi_867_: f32;
-    var phi_868_: f32;
+    var phi_737_: f32;
+    var phi_738_: f32;
+    var phi_739_: bool;
+    var phi_740_: f32;
+    var phi_741_: bool;
+    var phi_797_: vec2<f32>;
+    var phi_835_: f32;
+    var phi_836_: f32;
+    var phi_837_: f32;
+    var phi_870_: f32;
+    var phi_871_: f32;
     var phi_872_: f32;
-    var phi_873_: f32;
-    var phi_874_: f32;
-    var phi_875_: f32;
-    var phi_886_: bool;
-    var phi_890_: f32;
-    var phi_891_: f32;
-    var phi_892_: f32;
-    var phi_893_: f32;
+    var phi_876_: f32;
+    var phi_877_: f32;
+    var phi_878_: f32;
+    var phi_879_: f32;
+    var phi_890_: bool;
+    var phi_894_: f32;
+    var phi_895_: f32;
+    var phi_896_: f32;
+    var phi_897_: f32;
 
-    let _e49 = (*param_11);
-    let _e50 = (1f - _e49);
-    let _e59 = (0.5f * _e49);
-    let _e60 = ((param_12.x * _e50) + _e59);
-    let _e61 = ((param_12.y * _e50) + _e59);
-    let _e62 = ((param_12.z * _e50) + _e59);
-    let _e63 = ((param_12.w * _e50) + _e59);
-    let _e66 = (_e61 - (_e60 * _e60));
-    let _e68 = (_e62 - (_e60 * _e61));
-    let _e74 = hankel_HankelFactors(vec4<f32>(_e60, _e61, _e62, _e63), _e66, _e68, (((_e63 - (_e61 * _e61)) * _e66) - (_e68 * _e68)));
-    local_1 = hankel_HankelFactors(_e74.moments, _e74.d22_, _e74.l32_d22_, _e74.d33_d22_);
+    let _e50 = (*param_11);
+    let _e51 = (1f - _e50);
+    let _e60 = (0.5f * _e50);
+    let _e61 = ((param_12.x * _e51) + _e60);
+    let _e62 = ((param_12.y * _e51) + _e60);
+    let _e63 = ((param_12.z * _e51) + _e60);
+    let _e64 = ((param_12.w * _e51) + _e60);
+    let _e67 = (_e62 - (_e61 * _e61));
+    let _e69 = (_e63 - (_e61 * _e62));
+    let _e75 = hankel_HankelFactors(vec4<f32>(_e61, _e62, _e63, _e64), _e67, _e69, (((_e64 - (_e62 * _e62)) * _e67) - (_e69 * _e69)));
+    local_1 = hankel_HankelFactors(_e75.moments, _e75.d22_, _e75.l32_d22_, _e75.d33_d22_);
     if ((bitcast<u32>(param_13) & 2147483647u) > 2139095040u) {
-        phi_240_ = param_13;
+        phi_244_ = param_13;
     } else {
         if (param_13 < 0f) {
-            phi_239_ = 0f;
+            phi_243_ = 0f;
         } else {
             if (param_13 > 1f) {
-                phi_238_ = 1f;
+                phi_242_ = 1f;
             } else {
-                phi_238_ = param_13;
+                phi_242_ = param_13;
             }
-            let _e86 = phi_238_;
-            phi_239_ = _e86;
+            let _e87 = phi_242_;
+            phi_243_ = _e87;
         }
-        let _e88 = phi_239_;
-        phi_240_ = _e88;
+        let _e89 = phi_243_;
+        phi_244_ = _e89;
     }
-    let _e90 = phi_240_;
-    let _e93 = local_1.moments[0u];
-    let _e96 = local_1.moments[3u];
-    if (_e93 == _e96) {
-        let _e100 = local_1.moments[0u];
-        phi_252_ = (_e100 > 0.5f);
+    let _e91 = phi_244_;
+    let _e94 = local_1.moments[0u];
+    let _e97 = local_1.moments[3u];
+    if (_e94 == _e97) {
+        let _e101 = local_1.moments[0u];
+        phi_256_ = (_e101 > 0.5f);
     } else {
-        phi_252_ = false;
+        phi_256_ = false;
     }
-    let _e103 = phi_252_;
-    if _e103 {
-        let _e106 = local_1.moments[0u];
-        let _e109 = local_1.moments[3u];
-        if (_e106 == _e109) {
-            let _e113 = local_1.moments[0u];
-            phi_267_ = (_e113 > 0.5f);
+    let _e104 = phi_256_;
+    if _e104 {
+        let _e107 = local_1.moments[0u];
+        let _e110 = local_1.moments[3u];
+        if (_e107 == _e110) {
+            let _e114 = local_1.moments[0u];
+            phi_271_ = (_e114 > 0.5f);
         } else {
-            phi_267_ = false;
+            phi_271_ = false;
         }
-        let _e116 = phi_267_;
-        if _e116 {
-            if (_e90 > 0f) {
-                let _e119 = local_1.moments;
-                if ((bitcast<u32>(_e119.x) & 2147483647u) > 2139095040u) {
-                    phi_294_ = _e119.x;
+        let _e117 = phi_271_;
+        if _e117 {
+            if (_e91 > 0f) {
+                let _e120 = local_1.moments;
+                if ((bitcast<u32>(_e120.x) & 2147483647u) > 2139095040u) {
+                    phi_298_ = _e120.x;
                 } else {
-                    if (_e119.x < 0f) {
-                        phi_293_ = 0f;
+                    if (_e120.x < 0f) {
+                        phi_297_ = 0f;
                     } else {
-                        if (_e119.x > 1f) {
-                            phi_292_ = 1f;
+                        if (_e120.x > 1f) {
+                            phi_296_ = 1f;
                         } else {
-                            phi_292_ = _e119.x;
+                            phi_296_ = _e120.x;
                         }
-                        let _e127 = phi_292_;
-                        phi_293_ = _e127;
+                        let _e128 = phi_296_;
+                        phi_297_ = _e128;
                     }
-                    let _e129 = phi_293_;
-                    phi_294_ = _e129;
+                    let _e130 = phi_297_;
+                    phi_298_ = _e130;
                 }
-                let _e131 = phi_294_;
-                phi_295_ = _e131;
-                phi_296_ = false;
+                let _e132 = phi_298_;
+                phi_299_ = _e132;
+                phi_300_ = false;
             } else {
-                phi_295_ = f32();
-                phi_296_ = true;
+                phi_299_ = f32();
+                phi_300_ = true;
             }
-            let _e133 = phi_295_;
-            let _e135 = phi_296_;
-            phi_297_ = _e133;
-            phi_298_ = _e135;
+            let _e134 = phi_299_;
+            let _e136 = phi_300_;
+            phi_301_ = _e134;
+            phi_302_ = _e136;
         } else {
-            phi_297_ = f32();
-            phi_298_ = true;
+            phi_301_ = f32();
+            phi_302_ = true;
         }
-        let _e137 = phi_297_;
-        let _e139 = phi_298_;
-        if _e139 {
-            let _e142 = local_1.moments[0u];
-            let _e145 = local_1.moments[1u];
-            let _e153 = local_1.l32_d22_;
-            let _e155 = local_1.d22_;
-            let _e156 = (_e153 / _e155);
-            let _e157 = (_e90 - _e142);
-            let _e163 = local_1.d22_;
-            let _e166 = local_1.d33_d22_;
-            let _e167 = (((((_e90 * _e90) - _e145) - (_e156 * _e157)) * _e163) / _e166);
-            let _e169 = local_1.d22_;
-            let _e172 = ((_e157 / _e169) - (_e156 * _e167));
-            let _e178 = ((0.5f * _e172) / _e167);
-            let _e181 = ((_e178 * _e178) - (((1f - (_e172 * _e142)) - (_e167 * _e145)) / _e167));
-            if (_e181 >= 0f) {
-                let _e183 = sqrt(_e181);
-                phi_354_ = vec2<f32>((-(_e178) - _e183), (-(_e178) + _e183));
+        let _e138 = phi_301_;
+        let _e140 = phi_302_;
+        if _e140 {
+            let _e143 = local_1.moments[0u];
+            let _e146 = local_1.moments[1u];
+            let _e154 = local_1.l32_d22_;
+            let _e156 = local_1.d22_;
+            let _e157 = (_e154 / _e156);
+            let _e158 = (_e91 - _e143);
+            let _e164 = local_1.d22_;
+            let _e167 = local_1.d33_d22_;
+            let _e168 = (((((_e91 * _e91) - _e146) - (_e157 * _e158)) * _e164) / _e167);
+            let _e170 = local_1.d22_;
+            let _e173 = ((_e158 / _e170) - (_e157 * _e168));
+            let _e179 = ((0.5f * _e173) / _e168);
+            let _e182 = ((_e179 * _e179) - (((1f - (_e173 * _e143)) - (_e168 * _e146)) / _e168));
+            if (_e182 >= 0f) {
+                let _e184 = sqrt(_e182);
+                phi_358_ = vec2<f32>((-(_e179) - _e184), (-(_e179) + _e184));
             } else {
-                phi_354_ = vec2(bitcast<f32>((bitcast<u32>(_e181) | 2143289344u)));
+                phi_358_ = vec2(bitcast<f32>((bitcast<u32>(_e182) | 2143289344u)));
             }
-            let _e194 = phi_354_;
-            if (_e90 <= _e194.x) {
-                phi_435_ = 1f;
+            let _e195 = phi_358_;
+            if (_e91 <= _e195.x) {
+                phi_439_ = 1f;
             } else {
-                if (_e90 > _e194.y) {
-                    let _e200 = local_1.moments;
-                    let _e211 = (((_e200.y - (_e200.x * (_e194.x + _e194.y))) + (_e194.x * _e194.y)) / ((_e90 - _e194.x) * (_e90 - _e194.y)));
-                    if ((bitcast<u32>(_e211) & 2147483647u) > 2139095040u) {
-                        phi_394_ = _e211;
+                if (_e91 > _e195.y) {
+                    let _e201 = local_1.moments;
+                    let _e212 = (((_e201.y - (_e201.x * (_e195.x + _e195.y))) + (_e195.x * _e195.y)) / ((_e91 - _e195.x) * (_e91 - _e195.y)));
+                    if ((bitcast<u32>(_e212) & 2147483647u) > 2139095040u) {
+                        phi_398_ = _e212;
                     } else {
-                        if (_e211 < 0f) {
-                            phi_393_ = 0f;
+                        if (_e212 < 0f) {
+                            phi_397_ = 0f;
                         } else {
-                            if (_e211 > 1f) {
-                                phi_392_ = 1f;
+                            if (_e212 > 1f) {
+                                phi_396_ = 1f;
                             } else {
-                                phi_392_ = _e211;
+                                phi_396_ = _e212;
                             }
-                            let _e218 = phi_392_;
-                            phi_393_ = _e218;
+                            let _e219 = phi_396_;
+                            phi_397_ = _e219;
                         }
-                        let _e220 = phi_393_;
-                        phi_394_ = _e220;
+                        let _e221 = phi_397_;
+                        phi_398_ = _e221;
                     }
-                    let _e222 = phi_394_;
-                    phi_434_ = _e222;
+                    let _e223 = phi_398_;
+                    phi_438_ = _e223;
                 } else {
-                    if (_e90 > _e194.x) {
-                        let _e225 = local_1.moments;
-                        let _e237 = (1f - (((_e225.y - (_e225.x * (_e90 + _e194.y))) + (_e90 * _e194.y)) / ((_e194.x - _e90) * (_e194.x - _e194.y))));
-                        if ((bitcast<u32>(_e237) & 2147483647u) > 2139095040u) {
-                            phi_429_ = _e237;
+                    if (_e91 > _e195.x) {
+                        let _e226 = local_1.moments;
+                        let _e238 = (1f - (((_e226.y - (_e226.x * (_e91 + _e195.y))) + (_e91 * _e195.y)) / ((_e195.x - _e91) * (_e195.x - _e195.y))));
+                        if ((bitcast<u32>(_e238) & 2147483647u) > 2139095040u) {
+                            phi_433_ = _e238;
                         } else {
-                            if (_e237 < 0f) {
-                                phi_428_ = 0f;
+                            if (_e238 < 0f) {
+                                phi_432_ = 0f;
                             } else {
-                                if (_e237 > 1f) {
-                                    phi_427_ = 1f;
+                                if (_e238 > 1f) {
+                                    phi_431_ = 1f;
                                 } else {
-                                    phi_427_ = _e237;
+                                    phi_431_ = _e238;
                                 }
-                                let _e244 = phi_427_;
-                                phi_428_ = _e244;
+                                let _e245 = phi_431_;
+                                phi_432_ = _e245;
                             }
-                            let _e246 = phi_428_;
-                            phi_429_ = _e246;
+                            let _e247 = phi_432_;
+                            phi_433_ = _e247;
                         }
-                        let _e248 = phi_429_;
-                        phi_433_ = _e248;
+                        let _e249 = phi_433_;
+                        phi_437_ = _e249;
                     } else {
-                        phi_433_ = bitcast<f32>((bitcast<u32>(_e194.x) | 2143289344u));
+                        phi_437_ = bitcast<f32>((bitcast<u32>(_e195.x) | 2143289344u));
                     }
-                    let _e253 = phi_433_;
-                    phi_434_ = _e253;
+                    let _e254 = phi_437_;
+                    phi_438_ = _e254;
                 }
-                let _e255 = phi_434_;
-                phi_435_ = _e255;
+                let _e256 = phi_438_;
+                phi_439_ = _e256;
             }
-            let _e257 = phi_435_;
-            phi_436_ = _e257;
+            let _e258 = phi_439_;
+            phi_440_ = _e258;
         } else {
-            phi_436_ = _e137;
+            phi_440_ = _e138;
         }
-        let _e259 = phi_436_;
-        phi_893_ = _e259;
+        let _e260 = phi_440_;
+        phi_897_ = _e260;
     } else {
-        let _e262 = local_1.moments[0u];
-        let _e265 = local_1.moments[1u];
-        let _e273 = local_1.l32_d22_;
-        let _e275 = local_1.d22_;
-        let _e276 = (_e273 / _e275);
-        let _e277 = (_e90 - _e262);
-        let _e283 = local_1.d22_;
-        let _e286 = local_1.d33_d22_;
-        let _e287 = (((((_e90 * _e90) - _e265) - (_e276 * _e277)) * _e283) / _e286);
-        let _e289 = local_1.d22_;
-        let _e292 = ((_e277 / _e289) - (_e276 * _e287));
-        let _e298 = ((0.5f * _e292) / _e287);
-        let _e301 = ((_e298 * _e298) - (((1f - (_e292 * _e262)) - (_e287 * _e265)) / _e287));
-        if (_e301 >= 0f) {
-            let _e303 = sqrt(_e301);
-            phi_489_ = vec2<f32>((-(_e298) - _e303), (-(_e298) + _e303));
+        let _e263 = local_1.moments[0u];
+        let _e266 = local_1.moments[1u];
+        let _e274 = local_1.l32_d22_;
+        let _e276 = local_1.d22_;
+        let _e277 = (_e274 / _e276);
+        let _e278 = (_e91 - _e263);
+        let _e284 = local_1.d22_;
+        let _e287 = local_1.d33_d22_;
+        let _e288 = (((((_e91 * _e91) - _e266) - (_e277 * _e278)) * _e284) / _e287);
+        let _e290 = local_1.d22_;
+        let _e293 = ((_e278 / _e290) - (_e277 * _e288));
+        let _e299 = ((0.5f * _e293) / _e288);
+        let _e302 = ((_e299 * _e299) - (((1f - (_e293 * _e263)) - (_e288 * _e266)) / _e288));
+        if (_e302 >= 0f) {
+            let _e304 = sqrt(_e302);
+            phi_493_ = vec2<f32>((-(_e299) - _e304), (-(_e299) + _e304));
         } else {
-            phi_489_ = vec2(bitcast<f32>((bitcast<u32>(_e301) | 2143289344u)));
+            phi_493_ = vec2(bitcast<f32>((bitcast<u32>(_e302) | 2143289344u)));
         }
-        let _e314 = phi_489_;
-        if (_e314.x >= 0f) {
-            if (_e314.y <= 1f) {
-                let _e321 = local_1.moments[0u];
-                let _e324 = local_1.moments[3u];
-                if (_e321 == _e324) {
-                    let _e328 = local_1.moments[0u];
-                    phi_511_ = (_e328 > 0.5f);
+        let _e315 = phi_493_;
+        if (_e315.x >= 0f) {
+            if (_e315.y <= 1f) {
+                let _e322 = local_1.moments[0u];
+                let _e325 = local_1.moments[3u];
+                if (_e322 == _e325) {
+                    let _e329 = local_1.moments[0u];
+                    phi_515_ = (_e329 > 0.5f);
                 } else {
-                    phi_511_ = false;
+                    phi_515_ = false;
                 }
-                let _e331 = phi_511_;
-                if _e331 {
-                    if (_e90 > 0f) {
-                        let _e334 = local_1.moments;
-                        if ((bitcast<u32>(_e334.x) & 2147483647u) > 2139095040u) {
-                            phi_538_ = _e334.x;
+                let _e332 = phi_515_;
+                if _e332 {
+                    if (_e91 > 0f) {
+                        let _e335 = local_1.moments;
+                        if ((bitcast<u32>(_e335.x) & 2147483647u) > 2139095040u) {
+                            phi_542_ = _e335.x;
                         } else {
-                            if (_e334.x < 0f) {
-                                phi_537_ = 0f;
+                            if (_e335.x < 0f) {
+                                phi_541_ = 0f;
                             } else {
-                                if (_e334.x > 1f) {
-                                    phi_536_ = 1f;
+                                if (_e335.x > 1f) {
+                                    phi_540_ = 1f;
                                 } else {
-                                    phi_536_ = _e334.x;
+                                    phi_540_ = _e335.x;
                                 }
-                                let _e342 = phi_536_;
-                                phi_537_ = _e342;
+                                let _e343 = phi_540_;
+                                phi_541_ = _e343;
                             }
-                            let _e344 = phi_537_;
-                            phi_538_ = _e344;
+                            let _e345 = phi_541_;
+                            phi_542_ = _e345;
                         }
-                        let _e346 = phi_538_;
-                        phi_539_ = _e346;
-                        phi_540_ = false;
+                        let _e347 = phi_542_;
+                        phi_543_ = _e347;
+                        phi_544_ = false;
                     } else {
-                        phi_539_ = f32();
-                        phi_540_ = true;
+                        phi_543_ = f32();
+                        phi_544_ = true;
                     }
-                    let _e348 = phi_539_;
-                    let _e350 = phi_540_;
-                    phi_541_ = _e348;
-                    phi_542_ = _e350;
+                    let _e349 = phi_543_;
+                    let _e351 = phi_544_;
+                    phi_545_ = _e349;
+                    phi_546_ = _e351;
                 } else {
-                    phi_541_ = f32();
-                    phi_542_ = true;
+                    phi_545_ = f32();
+                    phi_546_ = true;
                 }
-                let _e352 = phi_541_;
-                let _e354 = phi_542_;
-                if _e354 {
-                    let _e357 = local_1.moments[0u];
-                    let _e360 = local_1.moments[1u];
-                    let _e368 = local_1.l32_d22_;
-                    let _e370 = local_1.d22_;
-                    let _e371 = (_e368 / _e370);
-                    let _e372 = (_e90 - _e357);
-                    let _e378 = local_1.d22_;
-                    let _e381 = local_1.d33_d22_;
-                    let _e382 = (((((_e90 * _e90) - _e360) - (_e371 * _e372)) * _e378) / _e381);
-                    let _e384 = local_1.d22_;
-                    let _e387 = ((_e372 / _e384) - (_e371 * _e382));
-                    let _e393 = ((0.5f * _e387) / _e382);
-                    let _e396 = ((_e393 * _e393) - (((1f - (_e387 * _e357)) - (_e382 * _e360)) / _e382));
-                    if (_e396 >= 0f) {
-                        let _e398 = sqrt(_e396);
-                        phi_598_ = vec2<f32>((-(_e393) - _e398), (-(_e393) + _e398));
+                let _e353 = phi_545_;
+                let _e355 = phi_546_;
+                if _e355 {
+                    let _e358 = local_1.moments[0u];
+                    let _e361 = local_1.moments[1u];
+                    let _e369 = local_1.l32_d22_;
+                    let _e371 = local_1.d22_;
+                    let _e372 = (_e369 / _e371);
+                    let _e373 = (_e91 - _e358);
+                    let _e379 = local_1.d22_;
+                    let _e382 = local_1.d33_d22_;
+                    let _e383 = (((((_e91 * _e91) - _e361) - (_e372 * _e373)) * _e379) / _e382);
+                    let _e385 = local_1.d22_;
+                    let _e388 = ((_e373 / _e385) - (_e372 * _e383));
+                    let _e394 = ((0.5f * _e388) / _e383);
+                    let _e397 = ((_e394 * _e394) - (((1f - (_e388 * _e358)) - (_e383 * _e361)) / _e383));
+                    if (_e397 >= 0f) {
+                        let _e399 = sqrt(_e397);
+                        phi_602_ = vec2<f32>((-(_e394) - _e399), (-(_e394) + _e399));
                     } else {
-                        phi_598_ = vec2(bitcast<f32>((bitcast<u32>(_e396) | 2143289344u)));
+                        phi_602_ = vec2(bitcast<f32>((bitcast<u32>(_e397) | 2143289344u)));
                     }
-                    let _e409 = phi_598_;
-                    if (_e90 <= _e409.x) {
-                        phi_679_ = 1f;
+                    let _e410 = phi_602_;
+                    if (_e91 <= _e410.x) {
+                        phi_683_ = 1f;
                     } else {
-                        if (_e90 > _e409.y) {
-                            let _e415 = local_1.moments;
-                            let _e426 = (((_e415.y - (_e415.x * (_e409.x + _e409.y))) + (_e409.x * _e409.y)) / ((_e90 - _e409.x) * (_e90 - _e409.y)));
-                            if ((bitcast<u32>(_e426) & 2147483647u) > 2139095040u) {
-                                phi_638_ = _e426;
+                        if (_e91 > _e410.y) {
+                            let _e416 = local_1.moments;
+                            let _e427 = (((_e416.y - (_e416.x * (_e410.x + _e410.y))) + (_e410.x * _e410.y)) / ((_e91 - _e410.x) * (_e91 - _e410.y)));
+                            if ((bitcast<u32>(_e427) & 2147483647u) > 2139095040u) {
+                                phi_642_ = _e427;
                             } else {
-                                if (_e426 < 0f) {
-                                    phi_637_ = 0f;
+                                if (_e427 < 0f) {
+                                    phi_641_ = 0f;
                                 } else {
-                                    if (_e426 > 1f) {
-                                        phi_636_ = 1f;
+                                    if (_e427 > 1f) {
+                                        phi_640_ = 1f;
                                     } else {
-                                        phi_636_ = _e426;
+                                        phi_640_ = _e427;
                                     }
-                                    let _e433 = phi_636_;
-                                    phi_637_ = _e433;
+                                    let _e434 = phi_640_;
+                                    phi_641_ = _e434;
                                 }
-                                let _e435 = phi_637_;
-                                phi_638_ = _e435;
+                                let _e436 = phi_641_;
+                                phi_642_ = _e436;
                             }
-                            let _e437 = phi_638_;
-                            phi_678_ = _e437;
+                            let _e438 = phi_642_;
+                            phi_682_ = _e438;
                         } else {
-                            if (_e90 > _e409.x) {
-                                let _e440 = local_1.moments;
-                                let _e452 = (1f - (((_e440.y - (_e440.x * (_e90 + _e409.y))) + (_e90 * _e409.y)) / ((_e409.x - _e90) * (_e409.x - _e409.y))));
-                                if ((bitcast<u32>(_e452) & 2147483647u) > 2139095040u) {
-                                    phi_673_ = _e452;
+                            if (_e91 > _e410.x) {
+                                let _e441 = local_1.moments;
+                                let _e453 = (1f - (((_e441.y - (_e441.x * (_e91 + _e410.y))) + (_e91 * _e410.y)) / ((_e410.x - _e91) * (_e410.x - _e410.y))));
+                                if ((bitcast<u32>(_e453) & 2147483647u) > 2139095040u) {
+                                    phi_677_ = _e453;
                                 } else {
-                                    if (_e452 < 0f) {
-                                        phi_672_ = 0f;
+                                    if (_e453 < 0f) {
+                                        phi_676_ = 0f;
                                     } else {
-                                        if (_e452 > 1f) {
-                                            phi_671_ = 1f;
+                                        if (_e453 > 1f) {
+                                            phi_675_ = 1f;
                                         } else {
-                                            phi_671_ = _e452;
+                                            phi_675_ = _e453;
                                         }
-                                        let _e459 = phi_671_;
-                                        phi_672_ = _e459;
+                                        let _e460 = phi_675_;
+                                        phi_676_ = _e460;
                                     }
-                                    let _e461 = phi_672_;
-                                    phi_673_ = _e461;
+                                    let _e462 = phi_676_;
+                                    phi_677_ = _e462;
                                 }
-                                let _e463 = phi_673_;
-                                phi_677_ = _e463;
+                                let _e464 = phi_677_;
+                                phi_681_ = _e464;
                             } else {
-                                phi_677_ = bitcast<f32>((bitcast<u32>(_e409.x) | 2143289344u));
+                                phi_681_ = bitcast<f32>((bitcast<u32>(_e410.x) | 2143289344u));
                             }
-                            let _e468 = phi_677_;
-                            phi_678_ = _e468;
+                            let _e469 = phi_681_;
+                            phi_682_ = _e469;
                         }
-                        let _e470 = phi_678_;
-                        phi_679_ = _e470;
+                        let _e471 = phi_682_;
+                        phi_683_ = _e471;
                     }
-                    let _e472 = phi_679_;
-                    phi_680_ = _e472;
+                    let _e473 = phi_683_;
+                    phi_684_ = _e473;
                 } else {
-                    phi_680_ = _e352;
+                    phi_684_ = _e353;
                 }
-                let _e474 = phi_680_;
-                phi_681_ = _e474;
-                phi_682_ = false;
+                let _e475 = phi_684_;
+                phi_685_ = _e475;
+                phi_686_ = false;
             } else {
-                phi_681_ = f32();
-                phi_682_ = true;
+                phi_685_ = f32();
+                phi_686_ = true;
             }
-            let _e476 = phi_681_;
-            let _e478 = phi_682_;
-            phi_683_ = _e476;
-            phi_684_ = _e478;
+            let _e477 = phi_685_;
+            let _e479 = phi_686_;
+            phi_687_ = _e477;
+            phi_688_ = _e479;
         } else {
-            phi_683_ = f32();
-            phi_684_ = true;
+            phi_687_ = f32();
+            phi_688_ = true;
         }
-        let _e480 = phi_683_;
-        let _e482 = phi_684_;
-        if _e482 {
-            if ((bitcast<u32>(_e314.x) & 2147483647u) > 2139095040u) {
-                phi_891_ = _e314.x;
+        let _e481 = phi_687_;
+        let _e483 = phi_688_;
+        if _e483 {
+            if ((bitcast<u32>(_e315.x) & 2147483647u) > 2139095040u) {
+                phi_895_ = _e315.x;
             } else {
-                let _e486 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e90);
-                let _e489 = local_1.moments[0u];
-                let _e492 = local_1.moments[3u];
-                if (_e489 == _e492) {
-                    let _e496 = local_1.moments[0u];
-                    phi_706_ = (_e496 > 0.5f);
+                let _e487 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e91);
+                let _e490 = local_1.moments[0u];
+                let _e493 = local_1.moments[3u];
+                if (_e490 == _e493) {
+                    let _e497 = local_1.moments[0u];
+                    phi_710_ = (_e497 > 0.5f);
                 } else {
-                    phi_706_ = false;
+                    phi_710_ = false;
                 }
-                let _e499 = phi_706_;
-                if _e499 {
-                    if (_e90 > 0f) {
-                        let _e502 = local_1.moments;
-                        if ((bitcast<u32>(_e502.x) & 2147483647u) > 2139095040u) {
-                            phi_733_ = _e502.x;
+                let _e500 = phi_710_;
+                if _e500 {
+                    if (_e91 > 0f) {
+                        let _e503 = local_1.moments;
+                        if ((bitcast<u32>(_e503.x) & 2147483647u) > 2139095040u) {
+                            phi_737_ = _e503.x;
                         } else {
-                            if (_e502.x < 0f) {
-                                phi_732_ = 0f;
+                            if (_e503.x < 0f) {
+                                phi_736_ = 0f;
                             } else {
-                                if (_e502.x > 1f) {
-                                    phi_731_ = 1f;
+                                if (_e503.x > 1f) {
+                                    phi_735_ = 1f;
                                 } else {
-                                    phi_731_ = _e502.x;
+                                    phi_735_ = _e503.x;
                                 }
-                                let _e510 = phi_731_;
-                                phi_732_ = _e510;
+                                let _e511 = phi_735_;
+                                phi_736_ = _e511;
                             }
-                            let _e512 = phi_732_;
-                            phi_733_ = _e512;
+                            let _e513 = phi_736_;
+                            phi_737_ = _e513;
                         }
-                        let _e514 = phi_733_;
-                        phi_734_ = _e514;
-                        phi_735_ = false;
+                        let _e515 = phi_737_;
+                        phi_738_ = _e515;
+                        phi_739_ = false;
                     } else {
-                        phi_734_ = f32();
-                        phi_735_ = true;
+                        phi_738_ = f32();
+                        phi_739_ = true;
                     }
-                    let _e516 = phi_734_;
-                    let _e518 = phi_735_;
-                    phi_736_ = _e516;
-                    phi_737_ = _e518;
+                    let _e517 = phi_738_;
+                    let _e519 = phi_739_;
+                    phi_740_ = _e517;
+                    phi_741_ = _e519;
                 } else {
-                    phi_736_ = f32();
-                    phi_737_ = true;
+                    phi_740_ = f32();
+                    phi_741_ = true;
                 }
-                let _e520 = phi_736_;
-                let _e522 = phi_737_;
-                if _e522 {
-                    let _e525 = local_1.moments[0u];
-                    let _e528 = local_1.moments[1u];
-                    let _e536 = local_1.l32_d22_;
-                    let _e538 = local_1.d22_;
-                    let _e539 = (_e536 / _e538);
-                    let _e540 = (_e90 - _e525);
-                    let _e546 = local_1.d22_;
-                    let _e549 = local_1.d33_d22_;
-                    let _e550 = (((((_e90 * _e90) - _e528) - (_e539 * _e540)) * _e546) / _e549);
-                    let _e552 = local_1.d22_;
-                    let _e555 = ((_e540 / _e552) - (_e539 * _e550));
-                    let _e561 = ((0.5f * _e555) / _e550);
-                    let _e564 = ((_e561 * _e561) - (((1f - (_e555 * _e525)) - (_e550 * _e528)) / _e550));
-                    if (_e564 >= 0f) {
-                        let _e566 = sqrt(_e564);
-                        phi_793_ = vec2<f32>((-(_e561) - _e566), (-(_e561) + _e566));
+                let _e521 = phi_740_;
+                let _e523 = phi_741_;
+                if _e523 {
+                    let _e526 = local_1.moments[0u];
+                    let _e529 = local_1.moments[1u];
+                    let _e537 = local_1.l32_d22_;
+                    let _e539 = local_1.d22_;
+                    let _e540 = (_e537 / _e539);
+                    let _e541 = (_e91 - _e526);
+                    let _e547 = local_1.d22_;
+                    let _e550 = local_1.d33_d22_;
+                    let _e551 = (((((_e91 * _e91) - _e529) - (_e540 * _e541)) * _e547) / _e550);
+                    let _e553 = local_1.d22_;
+                    let _e556 = ((_e541 / _e553) - (_e540 * _e551));
+                    let _e562 = ((0.5f * _e556) / _e551);
+                    let _e565 = ((_e562 * _e562) - (((1f - (_e556 * _e526)) - (_e551 * _e529)) / _e551));
+                    if (_e565 >= 0f) {
+                        let _e567 = sqrt(_e565);
+                        phi_797_ = vec2<f32>((-(_e562) - _e567), (-(_e562) + _e567));
                     } else {
-                        phi_793_ = vec2(bitcast<f32>((bitcast<u32>(_e564) | 2143289344u)));
+                        phi_797_ = vec2(bitcast<f32>((bitcast<u32>(_e565) | 2143289344u)));
                     }
-                    let _e577 = phi_793_;
-                    if (_e90 <= _e577.x) {
-                        phi_874_ = 1f;
+                    let _e578 = phi_797_;
+                    if (_e91 <= _e578.x) {
+                        phi_878_ = 1f;
                     } else {
-                        if (_e90 > _e577.y) {
-                            let _e583 = local_1.moments;
-                            let _e594 = (((_e583.y - (_e583.x * (_e577.x + _e577.y))) + (_e577.x * _e577.y)) / ((_e90 - _e577.x) * (_e90 - _e577.y)));
-                            if ((bitcast<u32>(_e594) & 2147483647u) > 2139095040u) {
-                                phi_833_ = _e594;
+                        if (_e91 > _e578.y) {
+                            let _e584 = local_1.moments;
+                            let _e595 = (((_e584.y - (_e584.x * (_e578.x + _e578.y))) + (_e578.x * _e578.y)) / ((_e91 - _e578.x) * (_e91 - _e578.y)));
+                            if ((bitcast<u32>(_e595) & 2147483647u) > 2139095040u) {
+                                phi_837_ = _e595;
                             } else {
-                                if (_e594 < 0f) {
-                                    phi_832_ = 0f;
+                                if (_e595 < 0f) {
+                                    phi_836_ = 0f;
                                 } else {
-                                    if (_e594 > 1f) {
-                                        phi_831_ = 1f;
+                                    if (_e595 > 1f) {
+                                        phi_835_ = 1f;
                                     } else {
-                                        phi_831_ = _e594;
+                                        phi_835_ = _e595;
                                     }
-                                    let _e601 = phi_831_;
-                                    phi_832_ = _e601;
+                                    let _e602 = phi_835_;
+                                    phi_836_ = _e602;
                                 }
-                                let _e603 = phi_832_;
-                                phi_833_ = _e603;
+                                let _e604 = phi_836_;
+                                phi_837_ = _e604;
                             }
-                            let _e605 = phi_833_;
-                            phi_873_ = _e605;
+                            let _e606 = phi_837_;
+                            phi_877_ = _e606;
                         } else {
-                            if (_e90 > _e577.x) {
-                                let _e608 = local_1.moments;
-                                let _e620 = (1f - (((_e608.y - (_e608.x * (_e90 + _e577.y))) + (_e90 * _e577.y)) / ((_e577.x - _e90) * (_e577.x - _e577.y))));
-                                if ((bitcast<u32>(_e620) & 2147483647u) > 2139095040u) {
-                                    phi_868_ = _e620;
+                            if (_e91 > _e578.x) {
+                                let _e609 = local_1.moments;
+                                let _e621 = (1f - (((_e609.y - (_e609.x * (_e91 + _e578.y))) + (_e91 * _e578.y)) / ((_e578.x - _e91) * (_e578.x - _e578.y))));
+                                if ((bitcast<u32>(_e621) & 2147483647u) > 2139095040u) {
+                                    phi_872_ = _e621;
                                 } else {
-                                    if (_e620 < 0f) {
-                                        phi_867_ = 0f;
+                                    if (_e621 < 0f) {
+                                        phi_871_ = 0f;
                                     } else {
-                                        if (_e620 > 1f) {
-                                            phi_866_ = 1f;
+                                        if (_e621 > 1f) {
+                                            phi_870_ = 1f;
                                         } else {
-                                            phi_866_ = _e620;
+                                            phi_870_ = _e621;
                                         }
-                                        let _e627 = phi_866_;
-                                        phi_867_ = _e627;
+                                        let _e628 = phi_870_;
+                                        phi_871_ = _e628;
                                     }
-                                    let _e629 = phi_867_;
-                                    phi_868_ = _e629;
+                                    let _e630 = phi_871_;
+                                    phi_872_ = _e630;
                                 }
-                                let _e631 = phi_868_;
-                                phi_872_ = _e631;
+                                let _e632 = phi_872_;
+                                phi_876_ = _e632;
                             } else {
-                                phi_872_ = bitcast<f32>((bitcast<u32>(_e577.x) | 2143289344u));
+                                phi_876_ = bitcast<f32>((bitcast<u32>(_e578.x) | 2143289344u));
                             }
-                            let _e636 = phi_872_;
-                            phi_873_ = _e636;
+                            let _e637 = phi_876_;
+                            phi_877_ = _e637;
                         }
-                        let _e638 = phi_873_;
-                        phi_874_ = _e638;
+                        let _e639 = phi_877_;
+                        phi_878_ = _e639;
                     }
-                    let _e640 = phi_874_;
-                    phi_875_ = _e640;
+                    let _e641 = phi_878_;
+                    phi_879_ = _e641;
                 } else {
-                    phi_875_ = _e520;
+                    phi_879_ = _e521;
                 }
-                let _e642 = phi_875_;
-                if ((bitcast<u32>(_e642) & 2147483647u) > 2139095040u) {
-                    phi_886_ = true;
+                let _e643 = phi_879_;
+                if ((bitcast<u32>(_e643) & 2147483647u) > 2139095040u) {
+                    phi_890_ = true;
                 } else {
-                    let _e646 = (_e642 < _e486);
-                    if _e646 {
+                    let _e647 = (_e643 < _e487);
+                    if _e647 {
                     }
-                    phi_886_ = _e646;
+                    phi_890_ = _e647;
                 }
-                let _e648 = phi_886_;
-                if _e648 {
-                    phi_890_ = _e642;
+                let _e649 = phi_890_;
+                if _e649 {
+                    phi_894_ = _e643;
                 } else {
-                    phi_890_ = _e486;
+                    phi_894_ = _e487;
                 }
-                let _e650 = phi_890_;
-                phi_891_ = _e650;
+                let _e651 = phi_894_;
+                phi_895_ = _e651;
             }
-            let _e652 = phi_891_;
-            phi_892_ = _e652;
+            let _e653 = phi_895_;
+            phi_896_ = _e653;
         } else {
-            phi_892_ = _e480;
+            phi_896_ = _e481;
         }
-        let _e654 = phi_892_;
-        phi_893_ = _e654;
+        let _e655 = phi_896_;
+        phi_897_ = _e655;
     }
-    let _e656 = phi_893_;
-    return _e656;
+    let _e657 = phi_897_;
+    return _e657;
 }
 
 fn function_() {
     var local_2: f32;
-    var phi_1115_: bool;
-    var phi_1116_: bool;
-    var phi_1117_: bool;
     var phi_1118_: bool;
-    var phi_1122_: bool;
-    var phi_1166_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1170_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1190_: lt_math_LightPoint;
-    var phi_1193_: u32;
-    var phi_1195_: lt_math_LevelPoint;
-    var phi_1281_: bool;
-    var phi_1290_: bool;
-    var phi_1299_: bool;
-    var phi_1300_: bool;
-    var phi_1301_: bool;
-    var phi_1302_: bool;
-    var phi_1303_: bool;
-    var phi_1304_: bool;
-    var phi_1305_: bool;
-    var phi_1309_: bool;
-    var phi_1336_: bool;
-    var phi_1337_: bool;
-    var phi_1338_: bool;
-    var phi_1339_: bool;
-    var phi_1340_: bool;
+    var phi_1119_: bool;
+    var phi_1120_: bool;
+    var phi_1121_: bool;
+    var phi_1125_: bool;
+    var phi_1195_: bool;
+    var phi_1196_: bool;
+    var phi_1207_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1208_: bool;
+    var phi_1209_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1210_: bool;
+    var phi_1217_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1221_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1241_: lt_math_LightPoint;
+    var phi_1244_: u32;
+    var phi_1246_: lt_math_LevelPoint;
+    var phi_1332_: bool;
     var phi_1341_: bool;
-    var phi_1342_: bool;
-    var phi_1343_: bool;
-    var phi_1347_: bool;
-    var phi_1356_: lt_math_LightPoint;
-    var phi_1357_: u32;
-    var phi_1358_: lt_math_LevelPoint;
-    var phi_1359_: bool;
-    var phi_1191_: lt_math_LightPoint;
-    var phi_1194_: u32;
-    var phi_1196_: lt_math_LevelPoint;
+    var phi_1350_: bool;
+    var phi_1351_: bool;
+    var phi_1352_: bool;
+    var phi_1353_: bool;
+    var phi_1354_: bool;
+    var phi_1355_: bool;
+    var phi_1356_: bool;
     var phi_1360_: bool;
+    var phi_1387_: bool;
+    var phi_1388_: bool;
+    var phi_1389_: bool;
+    var phi_1390_: bool;
+    var phi_1391_: bool;
+    var phi_1392_: bool;
+    var phi_1393_: bool;
+    var phi_1394_: bool;
+    var phi_1398_: bool;
+    var phi_1407_: lt_math_LightPoint;
+    var phi_1408_: u32;
+    var phi_1409_: lt_math_LevelPoint;
+    var phi_1410_: bool;
+    var phi_1242_: lt_math_LightPoint;
+    var phi_1245_: u32;
+    var phi_1247_: lt_math_LevelPoint;
+    var phi_1411_: bool;
     var local_3: lt_math_LevelPoint;
     var local_4: lt_math_LevelPoint;
-    var phi_1400_: bool;
-    var phi_1401_: bool;
-    var phi_1402_: bool;
-    var phi_1403_: bool;
-    var phi_1407_: bool;
-    var phi_1489_: f32;
-    var phi_1605_: f32;
-    var phi_1606_: f32;
-    var phi_1609_: f32;
-    var phi_1638_: f32;
-    var phi_1643_: f32;
-    var phi_1644_: bool;
-    var phi_1645_: f32;
-    var phi_1646_: bool;
-    var phi_1650_: f32;
-    var phi_1670_: f32;
-    var phi_1675_: f32;
-    var phi_1676_: bool;
-    var phi_1677_: f32;
-    var phi_1678_: bool;
-    var phi_1682_: f32;
+    var phi_1451_: bool;
+    var phi_1452_: bool;
+    var phi_1453_: bool;
+    var phi_1454_: bool;
+    var phi_1458_: bool;
+    var phi_1540_: f32;
+    var phi_1658_: f32;
+    var phi_1659_: f32;
+    var phi_1662_: f32;
+    var phi_1691_: f32;
+    var phi_1696_: f32;
+    var phi_1697_: bool;
+    var phi_1698_: f32;
+    var phi_1699_: bool;
+    var phi_1703_: f32;
+    var phi_1723_: f32;
+    var phi_1728_: f32;
+    var phi_1729_: bool;
+    var phi_1730_: f32;
+    var phi_1731_: bool;
+    var phi_1735_: f32;
     var local_5: lt_math_LevelPoint;
-    var phi_1731_: i32;
-    var phi_1736_: i32;
-    var phi_1741_: i32;
-    var phi_1746_: i32;
-    var phi_1755_: i32;
-    var phi_1760_: i32;
-    var phi_1765_: i32;
-    var phi_1770_: i32;
-    var phi_1865_: bool;
-    var phi_1873_: bool;
-    var phi_1885_: bool;
-    var phi_1886_: bool;
-    var phi_1890_: f32;
-    var phi_1896_: f32;
-    var phi_1898_: evaluate_Verdict;
-    var phi_1903_: evaluate_Verdict;
-    var phi_1904_: evaluate_Verdict;
-    var phi_1908_: bool;
-    var phi_1909_: u32;
-    var phi_1920_: u32;
+    var phi_1784_: i32;
+    var phi_1789_: i32;
+    var phi_1794_: i32;
+    var phi_1799_: i32;
+    var phi_1808_: i32;
+    var phi_1813_: i32;
+    var phi_1818_: i32;
+    var phi_1823_: i32;
+    var phi_1918_: bool;
+    var phi_1926_: bool;
+    var phi_1938_: bool;
+    var phi_1939_: bool;
+    var phi_1943_: f32;
+    var phi_1949_: f32;
+    var phi_1951_: evaluate_Verdict;
+    var phi_1956_: evaluate_Verdict;
+    var phi_1957_: evaluate_Verdict;
+    var phi_1961_: bool;
+    var phi_1962_: u32;
+    var phi_1973_: u32;
 
-    let _e46 = id_1;
-    let _e47 = local_6;
-    let _e52 = arrayLength((&map.member));
-    let _e57 = arrayLength((&levels.member));
-    let _e60 = p.member.size[0u];
-    let _e62 = p.member.size[1u];
-    let _e63 = lt_shaders_entry_pixel_index(_e46, _e60, _e62);
-    if (bitcast<i32>(_e63.root) != 0i) {
-        let _e70 = p.member.level_count;
-        let _e72 = p.member.light;
-        let _e75 = samples.member[_e63.first_primitive].normal[0u];
+    let _e47 = id_1;
+    let _e48 = local_6;
+    let _e53 = arrayLength((&map.member));
+    let _e58 = arrayLength((&levels.member));
+    let _e61 = p.member.size[0u];
+    let _e63 = p.member.size[1u];
+    let _e64 = lt_shaders_entry_pixel_index(_e47, _e61, _e63);
+    if (bitcast<i32>(_e64.root) != 0i) {
+        let _e71 = p.member.level_count;
+        let _e75 = samples.member[_e64.first_primitive].normal[0u];
         let _e77 = global[0u];
         if (_e75 == _e77) {
-            let _e80 = samples.member[_e63.first_primitive].normal[1u];
+            let _e80 = samples.member[_e64.first_primitive].normal[1u];
             let _e82 = global[1u];
             if (_e80 == _e82) {
-                let _e85 = samples.member[_e63.first_primitive].normal[2u];
+                let _e85 = samples.member[_e64.first_primitive].normal[2u];
                 let _e87 = global[2u];
-                phi_1115_ = (_e85 == _e87);
-                phi_1116_ = false;
+                phi_1118_ = (_e85 == _e87);
+                phi_1119_ = false;
             } else {
-                phi_1115_ = bool();
-                phi_1116_ = true;
+                phi_1118_ = bool();
+                phi_1119_ = true;
             }
-            let _e90 = phi_1115_;
-            let _e92 = phi_1116_;
-            phi_1117_ = _e90;
-            phi_1118_ = _e92;
+            let _e90 = phi_1118_;
+            let _e92 = phi_1119_;
+            phi_1120_ = _e90;
+            phi_1121_ = _e92;
         } else {
-            phi_1117_ = bool();
-            phi_1118_ = true;
+            phi_1120_ = bool();
+            phi_1121_ = true;
         }
-        let _e94 = phi_1117_;
-        let _e96 = phi_1118_;
+        let _e94 = phi_1120_;
+        let _e96 = phi_1121_;
         if _e96 {
-            phi_1122_ = false;
+            phi_1125_ = false;
         } else {
-            phi_1122_ = _e94;
+            phi_1125_ = _e94;
         }
-        let _e98 = phi_1122_;
+        let _e98 = phi_1125_;
         if !(_e98) {
-            let _e101 = samples.member[_e63.first_primitive].normal;
-            let _e103 = samples.member[_e63.first_primitive].position;
-            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
-                let _e127 = samples.member[_e63.first_primitive].flags;
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_1166_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
-            } else {
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_1166_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
-            }
-            let _e161 = phi_1166_;
-            phi_1170_ = _e161;
-        } else {
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_1170_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
-        }
-        let _e178 = phi_1170_;
-        if _e178.unnamed_1 {
-            phi_1904_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
-        } else {
-            let _e186 = samples.member[_e63.first_primitive].position;
-            let _e188 = p.member.map_size;
-            let _e190 = (0.5f / f32(_e188));
-            let _e197 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e204 = lt_math_LightPoint(vec2<f32>(_e197.uv.x, 0f), _e197.depth, _e197.is_inside);
-            let _e208 = lt_math_LightPoint(_e204.uv, 0f, _e204.is_inside);
-            phi_1190_ = lt_math_LightPoint();
-            phi_1193_ = 0u;
-            phi_1195_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e208.uv, _e208.depth, false));
-            loop {
-                let _e215 = phi_1190_;
-                let _e217 = phi_1193_;
-                let _e219 = phi_1195_;
-                local_3 = _e219;
-                local_4 = _e219;
-                local_5 = _e219;
-                if (_e217 < _e70) {
-                    if _e219.point.is_inside {
-                        phi_1356_ = lt_math_LightPoint();
-                        phi_1357_ = u32();
-                        phi_1358_ = lt_math_LevelPoint();
-                        phi_1359_ = false;
+            let _e101 = samples.member[_e64.first_primitive].position;
+            let _e103 = p.member.light.place;
+            let _e109 = p.member.light.place[3u];
+            let _e116 = (_e103.x - (_e101.x * _e109));
+            let _e117 = (_e103.y - (_e101.y * _e109));
+            let _e118 = (_e103.z - (_e101.z * _e109));
+            let _e120 = samples.member[_e64.first_primitive].normal;
+            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
+                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
+                let _e136 = p.member.light.axis;
+                let _e148 = p.member.light.place[3u];
+                if (_e148 == 0f) {
+                    phi_1196_ = true;
+                } else {
+                    let _e151 = p.member.light.range_squared;
+                    if (_e134 <= _e151) {
+                        let _e154 = p.member.light.cos_outer;
+                        phi_1195_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
                     } else {
-                        if (_e217 < _e57) {
+                        phi_1195_ = false;
+                    }
+                    let _e159 = phi_1195_;
+                    phi_1196_ = _e159;
+                }
+                let _e161 = phi_1196_;
+                if _e161 {
+                    let _e163 = samples.member[_e64.first_primitive].flags;
+                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
+                    phi_1207_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
+                    phi_1208_ = false;
+                } else {
+                    phi_1207_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_1208_ = true;
+                }
+                let _e182 = phi_1207_;
+                let _e184 = phi_1208_;
+                phi_1209_ = _e182;
+                phi_1210_ = _e184;
+            } else {
+                phi_1209_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_1210_ = true;
+            }
+            let _e186 = phi_1209_;
+            let _e188 = phi_1210_;
+            if _e188 {
+                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
+                phi_1217_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
+            } else {
+                phi_1217_ = _e186;
+            }
+            let _e205 = phi_1217_;
+            phi_1221_ = _e205;
+        } else {
+            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
+            phi_1221_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+        }
+        let _e222 = phi_1221_;
+        if _e222.unnamed_1 {
+            phi_1957_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
+        } else {
+            let _e230 = samples.member[_e64.first_primitive].position;
+            let _e232 = p.member.map_size;
+            let _e234 = (0.5f / f32(_e232));
+            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
+            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
+            phi_1241_ = lt_math_LightPoint();
+            phi_1244_ = 0u;
+            phi_1246_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
+            loop {
+                let _e259 = phi_1241_;
+                let _e261 = phi_1244_;
+                let _e263 = phi_1246_;
+                local_3 = _e263;
+                local_4 = _e263;
+                local_5 = _e263;
+                if (_e261 < _e71) {
+                    if _e263.point.is_inside {
+                        phi_1407_ = lt_math_LightPoint();
+                        phi_1408_ = u32();
+                        phi_1409_ = lt_math_LevelPoint();
+                        phi_1410_ = false;
+                    } else {
+                        if (_e261 < _e58) {
                         } else {
                             return;
                         }
-                        let _e230 = levels.member[(0u + _e217)].row_w;
-                        let _e241 = ((((_e230.x * _e186.x) + (_e230.y * _e186.y)) + (_e230.z * _e186.z)) + (_e230.w * 1f));
-                        let _e243 = levels.member[(0u + _e217)].row_x;
-                        let _e255 = (((((_e243.x * _e186.x) + (_e243.y * _e186.y)) + (_e243.z * _e186.z)) + (_e243.w * 1f)) / _e241);
-                        let _e257 = levels.member[(0u + _e217)].row_y;
-                        let _e269 = (((((_e257.x * _e186.x) + (_e257.y * _e186.y)) + (_e257.z * _e186.z)) + (_e257.w * 1f)) / _e241);
-                        let _e271 = levels.member[(0u + _e217)].row_z;
-                        let _e282 = ((((_e271.x * _e186.x) + (_e271.y * _e186.y)) + (_e271.z * _e186.z)) + (_e271.w * 1f));
-                        if (_e241 > 0f) {
-                            if (_e255 >= 0f) {
-                                phi_1281_ = (_e255 <= 1f);
+                        let _e274 = levels.member[(0u + _e261)].row_w;
+                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
+                        let _e287 = levels.member[(0u + _e261)].row_x;
+                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
+                        let _e301 = levels.member[(0u + _e261)].row_y;
+                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
+                        let _e315 = levels.member[(0u + _e261)].row_z;
+                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
+                        if (_e285 > 0f) {
+                            if (_e299 >= 0f) {
+                                phi_1332_ = (_e299 <= 1f);
                             } else {
-                                phi_1281_ = false;
+                                phi_1332_ = false;
                             }
-                            let _e287 = phi_1281_;
-                            if _e287 {
-                                if (_e269 >= 0f) {
-                                    phi_1290_ = (_e269 <= 1f);
+                            let _e331 = phi_1332_;
+                            if _e331 {
+                                if (_e313 >= 0f) {
+                                    phi_1341_ = (_e313 <= 1f);
                                 } else {
-                                    phi_1290_ = false;
+                                    phi_1341_ = false;
                                 }
-                                let _e291 = phi_1290_;
-                                if _e291 {
-                                    if (_e282 >= 0f) {
-                                        phi_1299_ = (_e282 <= 1f);
+                                let _e335 = phi_1341_;
+                                if _e335 {
+                                    if (_e326 >= 0f) {
+                                        phi_1350_ = (_e326 <= 1f);
                                     } else {
-                                        phi_1299_ = false;
+                                        phi_1350_ = false;
                                     }
-                                    let _e295 = phi_1299_;
-                                    phi_1300_ = _e295;
-                                    phi_1301_ = false;
+                                    let _e339 = phi_1350_;
+                                    phi_1351_ = _e339;
+                                    phi_1352_ = false;
                                 } else {
-                                    phi_1300_ = bool();
-                                    phi_1301_ = true;
+                                    phi_1351_ = bool();
+                                    phi_1352_ = true;
                                 }
-                                let _e297 = phi_1300_;
-                                let _e299 = phi_1301_;
-                                phi_1302_ = _e297;
-                                phi_1303_ = _e299;
+                                let _e341 = phi_1351_;
+                                let _e343 = phi_1352_;
+                                phi_1353_ = _e341;
+                                phi_1354_ = _e343;
                             } else {
-                                phi_1302_ = bool();
-                                phi_1303_ = true;
+                                phi_1353_ = bool();
+                                phi_1354_ = true;
                             }
-                            let _e301 = phi_1302_;
-                            let _e303 = phi_1303_;
-                            phi_1304_ = _e301;
-                            phi_1305_ = _e303;
+                            let _e345 = phi_1353_;
+                            let _e347 = phi_1354_;
+                            phi_1355_ = _e345;
+                            phi_1356_ = _e347;
                         } else {
-                            phi_1304_ = bool();
-                            phi_1305_ = true;
+                            phi_1355_ = bool();
+                            phi_1356_ = true;
                         }
-                        let _e305 = phi_1304_;
-                        let _e307 = phi_1305_;
-                        if _e307 {
-                            phi_1309_ = false;
+                        let _e349 = phi_1355_;
+                        let _e351 = phi_1356_;
+                        if _e351 {
+                            phi_1360_ = false;
                         } else {
-                            phi_1309_ = _e305;
+                            phi_1360_ = _e349;
                         }
-                        let _e309 = phi_1309_;
-                        if _e309 {
-                            if (_e255 >= _e190) {
-                                if (_e255 <= (1f - _e190)) {
-                                    if (_e269 >= _e190) {
-                                        phi_1336_ = (_e269 <= (1f - _e190));
-                                        phi_1337_ = false;
+                        let _e353 = phi_1360_;
+                        if _e353 {
+                            if (_e299 >= _e234) {
+                                if (_e299 <= (1f - _e234)) {
+                                    if (_e313 >= _e234) {
+                                        phi_1387_ = (_e313 <= (1f - _e234));
+                                        phi_1388_ = false;
                                     } else {
-                                        phi_1336_ = bool();
-                                        phi_1337_ = true;
+                                        phi_1387_ = bool();
+                                        phi_1388_ = true;
                                     }
-                                    let _e317 = phi_1336_;
-                                    let _e319 = phi_1337_;
-                                    phi_1338_ = _e317;
-                                    phi_1339_ = _e319;
+                                    let _e361 = phi_1387_;
+                                    let _e363 = phi_1388_;
+                                    phi_1389_ = _e361;
+                                    phi_1390_ = _e363;
                                 } else {
-                                    phi_1338_ = bool();
-                                    phi_1339_ = true;
+                                    phi_1389_ = bool();
+                                    phi_1390_ = true;
                                 }
-                                let _e321 = phi_1338_;
-                                let _e323 = phi_1339_;
-                                phi_1340_ = _e321;
-                                phi_1341_ = _e323;
+                                let _e365 = phi_1389_;
+                                let _e367 = phi_1390_;
+                                phi_1391_ = _e365;
+                                phi_1392_ = _e367;
                             } else {
-                                phi_1340_ = bool();
-                                phi_1341_ = true;
+                                phi_1391_ = bool();
+                                phi_1392_ = true;
                             }
-                            let _e325 = phi_1340_;
-                            let _e327 = phi_1341_;
-                            phi_1342_ = _e325;
-                            phi_1343_ = _e327;
+                            let _e369 = phi_1391_;
+                            let _e371 = phi_1392_;
+                            phi_1393_ = _e369;
+                            phi_1394_ = _e371;
                         } else {
-                            phi_1342_ = bool();
-                            phi_1343_ = true;
+                            phi_1393_ = bool();
+                            phi_1394_ = true;
                         }
-                        let _e329 = phi_1342_;
-                        let _e331 = phi_1343_;
-                        if _e331 {
-                            phi_1347_ = false;
+                        let _e373 = phi_1393_;
+                        let _e375 = phi_1394_;
+                        if _e375 {
+                            phi_1398_ = false;
                         } else {
-                            phi_1347_ = _e329;
+                            phi_1398_ = _e373;
                         }
-                        let _e333 = phi_1347_;
-                        let _e340 = lt_math_LightPoint(vec2<f32>(_e255, _e215.uv.y), _e215.depth, _e215.is_inside);
-                        let _e347 = lt_math_LightPoint(vec2<f32>(_e340.uv.x, _e269), _e340.depth, _e340.is_inside);
-                        let _e351 = lt_math_LightPoint(_e347.uv, _e282, _e347.is_inside);
-                        let _e355 = lt_math_LightPoint(_e351.uv, _e351.depth, _e333);
-                        phi_1356_ = _e355;
-                        phi_1357_ = (_e217 + 1u);
-                        phi_1358_ = lt_math_LevelPoint(_e217, _e355);
-                        phi_1359_ = true;
+                        let _e377 = phi_1398_;
+                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
+                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
+                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
+                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
+                        phi_1407_ = _e399;
+                        phi_1408_ = (_e261 + 1u);
+                        phi_1409_ = lt_math_LevelPoint(_e261, _e399);
+                        phi_1410_ = true;
                     }
-                    let _e359 = phi_1356_;
-                    let _e361 = phi_1357_;
-                    let _e363 = phi_1358_;
-                    let _e365 = phi_1359_;
-                    phi_1191_ = _e359;
-                    phi_1194_ = _e361;
-                    phi_1196_ = _e363;
-                    phi_1360_ = _e365;
+                    let _e403 = phi_1407_;
+                    let _e405 = phi_1408_;
+                    let _e407 = phi_1409_;
+                    let _e409 = phi_1410_;
+                    phi_1242_ = _e403;
+                    phi_1245_ = _e405;
+                    phi_1247_ = _e407;
+                    phi_1411_ = _e409;
                 } else {
-                    phi_1191_ = lt_math_LightPoint();
-                    phi_1194_ = u32();
-                    phi_1196_ = lt_math_LevelPoint();
-                    phi_1360_ = false;
+                    phi_1242_ = lt_math_LightPoint();
+                    phi_1245_ = u32();
+                    phi_1247_ = lt_math_LevelPoint();
+                    phi_1411_ = false;
                 }
-                let _e367 = phi_1191_;
-                let _e369 = phi_1194_;
-                let _e371 = phi_1196_;
-                let _e373 = phi_1360_;
+                let _e411 = phi_1242_;
+                let _e413 = phi_1245_;
+                let _e415 = phi_1247_;
+                let _e417 = phi_1411_;
                 continue;
                 continuing {
-                    phi_1190_ = _e367;
-                    phi_1193_ = _e369;
-                    phi_1195_ = _e371;
-                    break if !(_e373);
+                    phi_1241_ = _e411;
+                    phi_1244_ = _e413;
+                    phi_1246_ = _e415;
+                    break if !(_e417);
                 }
             }
-            let _e376 = local_3;
-            if _e376.point.is_inside {
+            let _e420 = local_3;
+            if _e420.point.is_inside {
                 if (0f > 0f) {
-                    let _e382 = local_4;
-                    if (_e382.level < _e57) {
+                    let _e426 = local_4;
+                    if (_e426.level < _e58) {
                     } else {
                         return;
                     }
-                    let _e387 = levels.member[(0u + _e382.level)];
-                    let _e393 = global[0u];
-                    if (_e387.row_w.x == _e393) {
-                        let _e396 = global[1u];
-                        if (_e387.row_w.y == _e396) {
-                            let _e399 = global[2u];
-                            phi_1400_ = (_e387.row_w.z == _e399);
-                            phi_1401_ = false;
+                    let _e431 = levels.member[(0u + _e426.level)];
+                    let _e437 = global[0u];
+                    if (_e431.row_w.x == _e437) {
+                        let _e440 = global[1u];
+                        if (_e431.row_w.y == _e440) {
+                            let _e443 = global[2u];
+                            phi_1451_ = (_e431.row_w.z == _e443);
+                            phi_1452_ = false;
                         } else {
-                            phi_1400_ = bool();
-                            phi_1401_ = true;
+                            phi_1451_ = bool();
+                            phi_1452_ = true;
                         }
-                        let _e402 = phi_1400_;
-                        let _e404 = phi_1401_;
-                        phi_1402_ = _e402;
-                        phi_1403_ = _e404;
+                        let _e446 = phi_1451_;
+                        let _e448 = phi_1452_;
+                        phi_1453_ = _e446;
+                        phi_1454_ = _e448;
                     } else {
-                        phi_1402_ = bool();
-                        phi_1403_ = true;
+                        phi_1453_ = bool();
+                        phi_1454_ = true;
                     }
-                    let _e406 = phi_1402_;
-                    let _e408 = phi_1403_;
-                    if _e408 {
-                        phi_1407_ = false;
+                    let _e450 = phi_1453_;
+                    let _e452 = phi_1454_;
+                    if _e452 {
+                        phi_1458_ = false;
                     } else {
-                        phi_1407_ = _e406;
+                        phi_1458_ = _e450;
                     }
-                    let _e410 = phi_1407_;
-                    if _e410 {
-                        let _e412 = samples.member[_e63.first_primitive].normal;
-                        let _e414 = p.member.map_size;
-                        let _e484 = ((abs(((((_e387.row_x.x * _e412.x) + (_e387.row_x.y * _e412.y)) + (_e387.row_x.z * _e412.z)) / (((_e387.row_x.x * _e387.row_x.x) + (_e387.row_x.y * _e387.row_x.y)) + (_e387.row_x.z * _e387.row_x.z)))) + abs(((((_e387.row_y.x * _e412.x) + (_e387.row_y.y * _e412.y)) + (_e387.row_y.z * _e412.z)) / (((_e387.row_y.x * _e387.row_y.x) + (_e387.row_y.y * _e387.row_y.y)) + (_e387.row_y.z * _e387.row_y.z))))) / (abs(((((_e387.row_z.x * _e412.x) + (_e387.row_z.y * _e412.y)) + (_e387.row_z.z * _e412.z)) / (((_e387.row_z.x * _e387.row_z.x) + (_e387.row_z.y * _e387.row_z.y)) + (_e387.row_z.z * _e387.row_z.z)))) * f32(_e414)));
-                        if (_e484 < 0.002f) {
-                            phi_1489_ = _e484;
+                    let _e454 = phi_1458_;
+                    if _e454 {
+                        let _e456 = samples.member[_e64.first_primitive].normal;
+                        let _e458 = p.member.map_size;
+                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
+                        if (_e528 < 0.002f) {
+                            phi_1540_ = _e528;
                         } else {
-                            phi_1489_ = 0.002f;
+                            phi_1540_ = 0.002f;
                         }
-                        let _e487 = phi_1489_;
-                        phi_1606_ = _e487;
+                        let _e531 = phi_1540_;
+                        phi_1659_ = _e531;
                     } else {
-                        let _e489 = p.member.map_size;
-                        let _e495 = samples.member[_e63.first_primitive].position;
-                        let _e506 = ((((_e387.row_w.x * _e495.x) + (_e387.row_w.y * _e495.y)) + (_e387.row_w.z * _e495.z)) + _e387.row_w.w);
-                        let _e519 = ((_e387.row_x.x - (_e387.row_w.x * _e376.point.uv.x)) / _e506);
-                        let _e520 = ((_e387.row_x.y - (_e387.row_w.y * _e376.point.uv.x)) / _e506);
-                        let _e521 = ((_e387.row_x.z - (_e387.row_w.z * _e376.point.uv.x)) / _e506);
-                        let _e534 = ((_e387.row_y.x - (_e387.row_w.x * _e376.point.uv.y)) / _e506);
-                        let _e535 = ((_e387.row_y.y - (_e387.row_w.y * _e376.point.uv.y)) / _e506);
-                        let _e536 = ((_e387.row_y.z - (_e387.row_w.z * _e376.point.uv.y)) / _e506);
-                        let _e542 = samples.member[_e63.first_primitive].normal;
-                        let _e547 = ((_e535 * _e542.z) - (_e542.y * _e536));
-                        let _e552 = ((_e536 * _e542.x) - (_e542.z * _e534));
-                        let _e557 = ((_e534 * _e542.y) - (_e542.x * _e535));
-                        let _e559 = samples.member[_e63.first_primitive].normal;
-                        let _e564 = ((_e520 * _e559.z) - (_e559.y * _e521));
-                        let _e569 = ((_e521 * _e559.x) - (_e559.z * _e519));
-                        let _e574 = ((_e519 * _e559.y) - (_e559.x * _e520));
-                        let _e601 = ((abs(((((_e387.row_z.x * _e547) + (_e387.row_z.y * _e552)) + (_e387.row_z.z * _e557)) / (((_e519 * _e547) + (_e520 * _e552)) + (_e521 * _e557)))) + abs(((((_e387.row_z.x * _e564) + (_e387.row_z.y * _e569)) + (_e387.row_z.z * _e574)) / (((_e534 * _e564) + (_e535 * _e569)) + (_e536 * _e574))))) / f32(_e489));
-                        if (_e601 < 0.002f) {
-                            phi_1605_ = _e601;
+                        let _e533 = p.member.map_size;
+                        let _e539 = samples.member[_e64.first_primitive].position;
+                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
+                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
+                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
+                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
+                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
+                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
+                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
+                        let _e586 = samples.member[_e64.first_primitive].normal;
+                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
+                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
+                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
+                        let _e603 = samples.member[_e64.first_primitive].normal;
+                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
+                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
+                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
+                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
+                        let _e647 = (16f / f32(_e533));
+                        if (_e645 < _e647) {
+                            phi_1658_ = _e645;
                         } else {
-                            phi_1605_ = 0.002f;
+                            phi_1658_ = _e647;
                         }
-                        let _e604 = phi_1605_;
-                        phi_1606_ = _e604;
+                        let _e650 = phi_1658_;
+                        phi_1659_ = _e650;
                     }
-                    let _e606 = phi_1606_;
-                    phi_1609_ = (_e376.point.depth - (0f * _e606));
+                    let _e652 = phi_1659_;
+                    phi_1662_ = (_e420.point.depth - (0f * _e652));
                 } else {
-                    phi_1609_ = _e376.point.depth;
+                    phi_1662_ = _e420.point.depth;
                 }
-                let _e610 = phi_1609_;
-                let _e616 = p.member.map_size;
-                let _e617 = f32(_e616);
-                let _e620 = ((_e376.point.uv.x * _e617) - 0.5f);
-                let _e621 = ((_e376.point.uv.y * _e617) - 0.5f);
-                if (_e620 > -8388608f) {
-                    let _e633 = f32(select(0i, select(select(i32(_e620), i32(-2147483648), (_e620 < bitcast<f32>(3472883712u))), 2147483647i, (_e620 > bitcast<f32>(1325400063u))), (_e620 == _e620)));
-                    if (_e633 > _e620) {
-                        phi_1638_ = 1f;
+                let _e656 = phi_1662_;
+                let _e662 = p.member.map_size;
+                let _e663 = f32(_e662);
+                let _e666 = ((_e420.point.uv.x * _e663) - 0.5f);
+                let _e667 = ((_e420.point.uv.y * _e663) - 0.5f);
+                if (_e666 > -8388608f) {
+                    let _e679 = f32(select(0i, select(select(i32(_e666), i32(-2147483648), (_e666 < bitcast<f32>(3472883712u))), 2147483647i, (_e666 > bitcast<f32>(1325400063u))), (_e666 == _e666)));
+                    if (_e679 > _e666) {
+                        phi_1691_ = 1f;
                     } else {
-                        phi_1638_ = 0f;
+                        phi_1691_ = 0f;
                     }
-                    let _e636 = phi_1638_;
-                    if (_e620 < 8388608f) {
-                        phi_1643_ = (_e633 - _e636);
-                        phi_1644_ = false;
+                    let _e682 = phi_1691_;
+                    if (_e666 < 8388608f) {
+                        phi_1696_ = (_e679 - _e682);
+                        phi_1697_ = false;
                     } else {
-                        phi_1643_ = f32();
-                        phi_1644_ = true;
+                        phi_1696_ = f32();
+                        phi_1697_ = true;
                     }
-                    let _e639 = phi_1643_;
-                    let _e641 = phi_1644_;
-                    phi_1645_ = _e639;
-                    phi_1646_ = _e641;
+                    let _e685 = phi_1696_;
+                    let _e687 = phi_1697_;
+                    phi_1698_ = _e685;
+                    phi_1699_ = _e687;
                 } else {
-                    phi_1645_ = f32();
-                    phi_1646_ = true;
+                    phi_1698_ = f32();
+                    phi_1699_ = true;
                 }
-                let _e643 = phi_1645_;
-                let _e645 = phi_1646_;
-                if _e645 {
-                    phi_1650_ = _e620;
+                let _e689 = phi_1698_;
+                let _e691 = phi_1699_;
+                if _e691 {
+                    phi_1703_ = _e666;
                 } else {
-                    phi_1650_ = _e643;
+                    phi_1703_ = _e689;
                 }
-                let _e647 = phi_1650_;
-                if (_e621 > -8388608f) {
-                    let _e659 = f32(select(0i, select(select(i32(_e621), i32(-2147483648), (_e621 < bitcast<f32>(3472883712u))), 2147483647i, (_e621 > bitcast<f32>(1325400063u))), (_e621 == _e621)));
-                    if (_e659 > _e621) {
-                        phi_1670_ = 1f;
+                let _e693 = phi_1703_;
+                if (_e667 > -8388608f) {
+                    let _e705 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
+                    if (_e705 > _e667) {
+                        phi_1723_ = 1f;
                     } else {
-                        phi_1670_ = 0f;
+                        phi_1723_ = 0f;
                     }
-                    let _e662 = phi_1670_;
-                    if (_e621 < 8388608f) {
-                        phi_1675_ = (_e659 - _e662);
-                        phi_1676_ = false;
+                    let _e708 = phi_1723_;
+                    if (_e667 < 8388608f) {
+                        phi_1728_ = (_e705 - _e708);
+                        phi_1729_ = false;
                     } else {
-                        phi_1675_ = f32();
-                        phi_1676_ = true;
+                        phi_1728_ = f32();
+                        phi_1729_ = true;
                     }
-                    let _e665 = phi_1675_;
-                    let _e667 = phi_1676_;
-                    phi_1677_ = _e665;
-                    phi_1678_ = _e667;
+                    let _e711 = phi_1728_;
+                    let _e713 = phi_1729_;
+                    phi_1730_ = _e711;
+                    phi_1731_ = _e713;
                 } else {
-                    phi_1677_ = f32();
-                    phi_1678_ = true;
+                    phi_1730_ = f32();
+                    phi_1731_ = true;
                 }
-                let _e669 = phi_1677_;
-                let _e671 = phi_1678_;
-                if _e671 {
-                    phi_1682_ = _e621;
+                let _e715 = phi_1730_;
+                let _e717 = phi_1731_;
+                if _e717 {
+                    phi_1735_ = _e667;
                 } else {
-                    phi_1682_ = _e669;
+                    phi_1735_ = _e715;
                 }
-                let _e673 = phi_1682_;
-                let _e674 = (_e620 - _e647);
-                let _e675 = (_e621 - _e673);
-                let _e684 = select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < bitcast<f32>(3472883712u))), 2147483647i, (_e647 > bitcast<f32>(1325400063u))), (_e647 == _e647));
-                let _e693 = select(0i, select(select(i32(_e673), i32(-2147483648), (_e673 < bitcast<f32>(3472883712u))), 2147483647i, (_e673 > bitcast<f32>(1325400063u))), (_e673 == _e673));
-                let _e696 = ((1f - _e674) * (1f - _e675));
-                let _e698 = (_e674 * (1f - _e675));
-                let _e700 = ((1f - _e674) * _e675);
-                let _e701 = (_e674 * _e675);
-                let _e703 = p.member.test;
-                let _e704 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e703);
-                let _e706 = p.member.map_size;
-                let _e708 = local_5;
-                local_2 = _e704;
-                let _e711 = ((_e708.level * _e706) * _e706);
-                let _e713 = (bitcast<i32>(_e706) - 1i);
-                if (_e684 > 0i) {
-                    phi_1731_ = _e684;
+                let _e719 = phi_1735_;
+                let _e720 = (_e666 - _e693);
+                let _e721 = (_e667 - _e719);
+                let _e730 = select(0i, select(select(i32(_e693), i32(-2147483648), (_e693 < bitcast<f32>(3472883712u))), 2147483647i, (_e693 > bitcast<f32>(1325400063u))), (_e693 == _e693));
+                let _e739 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < bitcast<f32>(3472883712u))), 2147483647i, (_e719 > bitcast<f32>(1325400063u))), (_e719 == _e719));
+                let _e742 = ((1f - _e720) * (1f - _e721));
+                let _e744 = (_e720 * (1f - _e721));
+                let _e746 = ((1f - _e720) * _e721);
+                let _e747 = (_e720 * _e721);
+                let _e749 = p.member.test;
+                let _e750 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e749);
+                let _e752 = p.member.map_size;
+                let _e754 = local_5;
+                local_2 = _e750;
+                let _e757 = ((_e754.level * _e752) * _e752);
+                let _e759 = (bitcast<i32>(_e752) - 1i);
+                if (_e730 > 0i) {
+                    phi_1784_ = _e730;
                 } else {
-                    phi_1731_ = 0i;
+                    phi_1784_ = 0i;
                 }
-                let _e716 = phi_1731_;
-                if (_e693 > 0i) {
-                    phi_1736_ = _e693;
+                let _e762 = phi_1784_;
+                if (_e739 > 0i) {
+                    phi_1789_ = _e739;
                 } else {
-                    phi_1736_ = 0i;
+                    phi_1789_ = 0i;
                 }
-                let _e719 = phi_1736_;
-                if (_e716 < _e713) {
-                    phi_1741_ = _e716;
+                let _e765 = phi_1789_;
+                if (_e762 < _e759) {
+                    phi_1794_ = _e762;
                 } else {
-                    phi_1741_ = _e713;
+                    phi_1794_ = _e759;
                 }
-                let _e722 = phi_1741_;
-                if (_e719 < _e713) {
-                    phi_1746_ = _e719;
+                let _e768 = phi_1794_;
+                if (_e765 < _e759) {
+                    phi_1799_ = _e765;
                 } else {
-                    phi_1746_ = _e713;
+                    phi_1799_ = _e759;
                 }
-                let _e725 = phi_1746_;
-                let _e726 = bitcast<u32>(_e722);
-                let _e728 = (_e684 + 1i);
-                let _e729 = (_e693 + 1i);
-                if (_e728 > 0i) {
-                    phi_1755_ = _e728;
+                let _e771 = phi_1799_;
+                let _e772 = bitcast<u32>(_e768);
+                let _e774 = (_e730 + 1i);
+                let _e775 = (_e739 + 1i);
+                if (_e774 > 0i) {
+                    phi_1808_ = _e774;
                 } else {
-                    phi_1755_ = 0i;
+                    phi_1808_ = 0i;
                 }
-                let _e732 = phi_1755_;
-                if (_e729 > 0i) {
-                    phi_1760_ = _e729;
+                let _e778 = phi_1808_;
+                if (_e775 > 0i) {
+                    phi_1813_ = _e775;
                 } else {
-                    phi_1760_ = 0i;
+                    phi_1813_ = 0i;
                 }
-                let _e735 = phi_1760_;
-                if (_e732 < _e713) {
-                    phi_1765_ = _e732;
+                let _e781 = phi_1813_;
+                if (_e778 < _e759) {
+                    phi_1818_ = _e778;
                 } else {
-                    phi_1765_ = _e713;
+                    phi_1818_ = _e759;
                 }
-                let _e738 = phi_1765_;
-                if (_e735 < _e713) {
-                    phi_1770_ = _e735;
+                let _e784 = phi_1818_;
+                if (_e781 < _e759) {
+                    phi_1823_ = _e781;
                 } else {
-                    phi_1770_ = _e713;
+                    phi_1823_ = _e759;
                 }
-                let _e741 = phi_1770_;
-                let _e742 = bitcast<u32>(_e738);
-                let _e744 = (bitcast<u32>(_e725) * _e706);
-                let _e745 = (bitcast<u32>(_e741) * _e706);
-                let _e750 = ((_e744 + _e726) + _e711);
-                let _e751 = ((_e744 + _e742) + _e711);
-                let _e752 = ((_e745 + _e726) + _e711);
-                let _e753 = ((_e745 + _e742) + _e711);
-                if (_e750 < _e52) {
+                let _e787 = phi_1823_;
+                let _e788 = bitcast<u32>(_e784);
+                let _e790 = (bitcast<u32>(_e771) * _e752);
+                let _e791 = (bitcast<u32>(_e787) * _e752);
+                let _e796 = ((_e790 + _e772) + _e757);
+                let _e797 = ((_e790 + _e788) + _e757);
+                let _e798 = ((_e791 + _e772) + _e757);
+                let _e799 = ((_e791 + _e788) + _e757);
+                if (_e796 < _e53) {
                 } else {
                     return;
                 }
-                let _e757 = map.member[(0u + _e750)];
-                if (_e751 < _e52) {
+                let _e803 = map.member[(0u + _e796)];
+                if (_e797 < _e53) {
                 } else {
                     return;
                 }
-                let _e769 = map.member[(0u + _e751)];
-                if (_e752 < _e52) {
+                let _e815 = map.member[(0u + _e797)];
+                if (_e798 < _e53) {
                 } else {
                     return;
                 }
-                let _e785 = map.member[(0u + _e752)];
-                if (_e753 < _e52) {
+                let _e831 = map.member[(0u + _e798)];
+                if (_e799 < _e53) {
                 } else {
                     return;
                 }
-                let _e801 = map.member[(0u + _e753)];
-                let _e815 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_2), vec4<f32>(((((_e757.x * _e696) + (_e769.x * _e698)) + (_e785.x * _e700)) + (_e801.x * _e701)), ((((_e757.y * _e696) + (_e769.y * _e698)) + (_e785.y * _e700)) + (_e801.y * _e701)), ((((_e757.z * _e696) + (_e769.z * _e698)) + (_e785.z * _e700)) + (_e801.z * _e701)), ((((_e757.w * _e696) + (_e769.w * _e698)) + (_e785.w * _e700)) + (_e801.w * _e701))), _e610);
-                let _e817 = p.member.epsilon;
-                if (_e815 <= _e817) {
-                    phi_1865_ = true;
+                let _e847 = map.member[(0u + _e799)];
+                let _e861 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_2), vec4<f32>(((((_e803.x * _e742) + (_e815.x * _e744)) + (_e831.x * _e746)) + (_e847.x * _e747)), ((((_e803.y * _e742) + (_e815.y * _e744)) + (_e831.y * _e746)) + (_e847.y * _e747)), ((((_e803.z * _e742) + (_e815.z * _e744)) + (_e831.z * _e746)) + (_e847.z * _e747)), ((((_e803.w * _e742) + (_e815.w * _e744)) + (_e831.w * _e746)) + (_e847.w * _e747))), _e656);
+                let _e863 = p.member.epsilon;
+                if (_e861 <= _e863) {
+                    phi_1918_ = true;
                 } else {
-                    phi_1865_ = (_e815 >= (1f - _e817));
+                    phi_1918_ = (_e861 >= (1f - _e863));
                 }
-                let _e822 = phi_1865_;
-                if ((bitcast<u32>(_e815) & 2147483647u) > 2139095040u) {
-                    phi_1873_ = true;
+                let _e868 = phi_1918_;
+                if ((bitcast<u32>(_e861) & 2147483647u) > 2139095040u) {
+                    phi_1926_ = true;
                 } else {
-                    phi_1873_ = !(_e822);
+                    phi_1926_ = !(_e868);
                 }
-                let _e828 = phi_1873_;
-                if _e828 {
-                    if (_e815 > 0f) {
-                        if (_e815 < 1f) {
-                            phi_1885_ = false;
+                let _e874 = phi_1926_;
+                if _e874 {
+                    if (_e861 > 0f) {
+                        if (_e861 < 1f) {
+                            phi_1938_ = false;
                         } else {
-                            phi_1885_ = true;
+                            phi_1938_ = true;
                         }
-                        let _e832 = phi_1885_;
-                        phi_1886_ = _e832;
+                        let _e878 = phi_1938_;
+                        phi_1939_ = _e878;
                     } else {
-                        phi_1886_ = true;
+                        phi_1939_ = true;
                     }
-                    let _e834 = phi_1886_;
-                    if _e834 {
-                        phi_1890_ = 0.5f;
+                    let _e880 = phi_1939_;
+                    if _e880 {
+                        phi_1943_ = 0.5f;
                     } else {
-                        phi_1890_ = _e815;
+                        phi_1943_ = _e861;
                     }
-                    let _e836 = phi_1890_;
-                    phi_1898_ = evaluate_Verdict(_e836, true);
+                    let _e882 = phi_1943_;
+                    phi_1951_ = evaluate_Verdict(_e882, true);
                 } else {
-                    if (_e815 > 0.5f) {
-                        phi_1896_ = 1f;
+                    if (_e861 > 0.5f) {
+                        phi_1949_ = 1f;
                     } else {
-                        phi_1896_ = 0f;
+                        phi_1949_ = 0f;
                     }
-                    let _e840 = phi_1896_;
-                    phi_1898_ = evaluate_Verdict(_e840, false);
+                    let _e886 = phi_1949_;
+                    phi_1951_ = evaluate_Verdict(_e886, false);
                 }
-                let _e843 = phi_1898_;
-                phi_1903_ = evaluate_Verdict(_e843.visibility, _e843.is_doubted);
+                let _e889 = phi_1951_;
+                phi_1956_ = evaluate_Verdict(_e889.visibility, _e889.is_doubted);
             } else {
-                phi_1903_ = evaluate_Verdict(0.5f, true);
+                phi_1956_ = evaluate_Verdict(0.5f, true);
             }
-            let _e849 = phi_1903_;
-            phi_1904_ = _e849;
+            let _e895 = phi_1956_;
+            phi_1957_ = _e895;
         }
-        let _e851 = phi_1904_;
-        visibility.member[_e63.first_primitive] = _e851.visibility;
-        phi_1908_ = _e851.is_doubted;
-        phi_1909_ = _e63.first_primitive;
+        let _e897 = phi_1957_;
+        visibility.member[_e64.first_primitive] = _e897.visibility;
+        phi_1961_ = _e897.is_doubted;
+        phi_1962_ = _e64.first_primitive;
     } else {
-        phi_1908_ = false;
-        phi_1909_ = 0u;
+        phi_1961_ = false;
+        phi_1962_ = 0u;
     }
-    let _e856 = phi_1908_;
-    let _e858 = phi_1909_;
-    if (_e47 == 0u) {
+    let _e902 = phi_1961_;
+    let _e904 = phi_1962_;
+    if (_e48 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e856 {
-        let _e862 = atomicAdd((&shared_[0u]), 1u);
-        phi_1920_ = _e862;
+    if _e902 {
+        let _e908 = atomicAdd((&shared_[0u]), 1u);
+        phi_1973_ = _e908;
     } else {
-        phi_1920_ = 0u;
+        phi_1973_ = 0u;
     }
-    let _e864 = phi_1920_;
+    let _e910 = phi_1973_;
     workgroupBarrier();
-    if (_e47 == 0u) {
-        let _e868 = atomicLoad((&shared_[0u]));
-        let _e869 = atomicAdd((&list.member[3u]), _e868);
-        atomicStore((&shared_[1u]), _e869);
+    if (_e48 == 0u) {
+        let _e914 = atomicLoad((&shared_[0u]));
+        let _e915 = atomicAdd((&list.member[3u]), _e914);
+        atomicStore((&shared_[1u]), _e915);
     }
     workgroupBarrier();
-    if _e856 {
-        let _e872 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e872) + _e864)]), _e858);
+    if _e902 {
+        let _e918 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e918) + _e910)]), _e904);
     }
     return;
 }

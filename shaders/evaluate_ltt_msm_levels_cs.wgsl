@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -43,18 +52,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_37 {
+struct type_39 {
     member: abi_ShadowParams,
 }
 
@@ -69,7 +78,7 @@ struct lt_bvh_slab_Span {
     far: f32,
 }
 
-struct type_43 {
+struct type_45 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -78,7 +87,7 @@ struct lt_math_LevelPoint {
     point: lt_math_LightPoint,
 }
 
-struct type_49 {
+struct type_51 {
     member: array<atomic<u32>>,
 }
 
@@ -89,48 +98,48 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_37;
+var<uniform> p: type_39;
 @group(0) @binding(2) 
 var<storage> map: type_18;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_49;
+var<storage, read_write> list: type_51;
 @group(0) @binding(5) 
-var<storage> levels: type_43;
+var<storage> levels: type_45;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_160_: lt_bvh_traverse_Tree;
-    var phi_161_: bool;
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_167_: bool;
+    var phi_172_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_161_ = false;
+            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_165_ = false;
         } else {
-            phi_160_ = lt_bvh_traverse_Tree();
-            phi_161_ = true;
+            phi_164_ = lt_bvh_traverse_Tree();
+            phi_165_ = true;
         }
-        let _e58 = phi_160_;
-        let _e60 = phi_161_;
-        phi_162_ = _e58;
-        phi_163_ = _e60;
+        let _e59 = phi_164_;
+        let _e61 = phi_165_;
+        phi_166_ = _e59;
+        phi_167_ = _e61;
     } else {
-        phi_162_ = lt_bvh_traverse_Tree();
-        phi_163_ = true;
+        phi_166_ = lt_bvh_traverse_Tree();
+        phi_167_ = true;
     }
-    let _e62 = phi_162_;
-    let _e64 = phi_163_;
-    if _e64 {
-        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e63 = phi_166_;
+    let _e65 = phi_167_;
+    if _e65 {
+        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_168_ = _e62;
+        phi_172_ = _e63;
     }
-    let _e69 = phi_168_;
-    return lt_bvh_traverse_Tree(_e69.root, _e69.first_primitive);
+    let _e70 = phi_172_;
+    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -138,1110 +147,1156 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_195_: f32;
-    var phi_196_: f32;
-    var phi_197_: f32;
-    var phi_214_: f32;
-    var phi_215_: f32;
-    var phi_216_: f32;
-    var phi_232_: f32;
-    var phi_233_: f32;
-    var phi_234_: f32;
-    var phi_250_: f32;
-    var phi_251_: f32;
-    var phi_252_: f32;
-    var phi_268_: f32;
-    var phi_269_: f32;
-    var phi_270_: f32;
-    var phi_305_: bool;
-    var phi_306_: bool;
-    var phi_307_: bool;
-    var phi_308_: bool;
+    var phi_199_: f32;
+    var phi_200_: f32;
+    var phi_201_: f32;
+    var phi_218_: f32;
+    var phi_219_: f32;
+    var phi_220_: f32;
+    var phi_236_: f32;
+    var phi_237_: f32;
+    var phi_238_: f32;
+    var phi_254_: f32;
+    var phi_255_: f32;
+    var phi_256_: f32;
+    var phi_272_: f32;
+    var phi_273_: f32;
+    var phi_274_: f32;
     var phi_309_: bool;
     var phi_310_: bool;
+    var phi_311_: bool;
+    var phi_312_: bool;
+    var phi_313_: bool;
     var phi_314_: bool;
-    var phi_625_: f32;
-    var phi_626_: f32;
-    var phi_627_: f32;
-    var phi_644_: f32;
-    var phi_645_: f32;
-    var phi_646_: f32;
-    var phi_663_: f32;
-    var phi_664_: f32;
-    var phi_665_: f32;
-    var phi_682_: f32;
-    var phi_683_: f32;
-    var phi_684_: f32;
-    var phi_707_: f32;
-    var phi_708_: f32;
-    var phi_709_: f32;
-    var phi_720_: f32;
-    var phi_735_: f32;
-    var phi_737_: lt_bvh_slab_Span;
-    var phi_795_: f32;
-    var phi_796_: f32;
-    var phi_797_: f32;
-    var phi_798_: f32;
+    var phi_318_: bool;
+    var phi_629_: f32;
+    var phi_630_: f32;
+    var phi_631_: f32;
+    var phi_648_: f32;
+    var phi_649_: f32;
+    var phi_650_: f32;
+    var phi_667_: f32;
+    var phi_668_: f32;
+    var phi_669_: f32;
+    var phi_686_: f32;
+    var phi_687_: f32;
+    var phi_688_: f32;
+    var phi_711_: f32;
+    var phi_712_: f32;
+    var phi_713_: f32;
+    var phi_724_: f32;
+    var phi_739_: f32;
+    var phi_741_: lt_bvh_slab_Span;
     var phi_799_: f32;
-    var phi_800_: bool;
-    var phi_804_: f32;
-    var phi_819_: f32;
-    var phi_820_: f32;
-    var phi_821_: f32;
-    var phi_822_: f32;
+    var phi_800_: f32;
+    var phi_801_: f32;
+    var phi_802_: f32;
+    var phi_803_: f32;
+    var phi_804_: bool;
+    var phi_808_: f32;
     var phi_823_: f32;
     var phi_824_: f32;
     var phi_825_: f32;
-    var phi_826_: bool;
+    var phi_826_: f32;
     var phi_827_: f32;
     var phi_828_: f32;
-    var phi_829_: bool;
-    var phi_833_: f32;
+    var phi_829_: f32;
+    var phi_830_: bool;
+    var phi_831_: f32;
+    var phi_832_: f32;
+    var phi_833_: bool;
+    var phi_837_: f32;
 
-    let _e49 = (*param_4);
+    let _e50 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_197_ = param_7;
+        phi_201_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_196_ = 0f;
+            phi_200_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_195_ = 1f;
+                phi_199_ = 1f;
             } else {
-                phi_195_ = param_7;
+                phi_199_ = param_7;
             }
-            let _e56 = phi_195_;
-            phi_196_ = _e56;
+            let _e57 = phi_199_;
+            phi_200_ = _e57;
         }
-        let _e58 = phi_196_;
-        phi_197_ = _e58;
+        let _e59 = phi_200_;
+        phi_201_ = _e59;
     }
-    let _e60 = phi_197_;
-    let _e61 = (_e60 - 0.00000047683716f);
+    let _e61 = phi_201_;
+    let _e62 = (_e61 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_216_ = param_5.x;
+        phi_220_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_215_ = 0f;
+            phi_219_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_214_ = 1f;
+                phi_218_ = 1f;
             } else {
-                phi_214_ = param_5.x;
+                phi_218_ = param_5.x;
             }
-            let _e69 = phi_214_;
-            phi_215_ = _e69;
+            let _e70 = phi_218_;
+            phi_219_ = _e70;
         }
-        let _e71 = phi_215_;
-        phi_216_ = _e71;
+        let _e72 = phi_219_;
+        phi_220_ = _e72;
     }
-    let _e73 = phi_216_;
+    let _e74 = phi_220_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_234_ = param_5.y;
+        phi_238_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_233_ = 0f;
+            phi_237_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_232_ = 1f;
+                phi_236_ = 1f;
             } else {
-                phi_232_ = param_5.y;
+                phi_236_ = param_5.y;
             }
-            let _e81 = phi_232_;
-            phi_233_ = _e81;
+            let _e82 = phi_236_;
+            phi_237_ = _e82;
         }
-        let _e83 = phi_233_;
-        phi_234_ = _e83;
+        let _e84 = phi_237_;
+        phi_238_ = _e84;
     }
-    let _e85 = phi_234_;
+    let _e86 = phi_238_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_252_ = param_5.z;
+        phi_256_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_251_ = 0f;
+            phi_255_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_250_ = 1f;
+                phi_254_ = 1f;
             } else {
-                phi_250_ = param_5.z;
+                phi_254_ = param_5.z;
             }
-            let _e93 = phi_250_;
-            phi_251_ = _e93;
+            let _e94 = phi_254_;
+            phi_255_ = _e94;
         }
-        let _e95 = phi_251_;
-        phi_252_ = _e95;
+        let _e96 = phi_255_;
+        phi_256_ = _e96;
     }
-    let _e97 = phi_252_;
+    let _e98 = phi_256_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_270_ = param_5.w;
+        phi_274_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_269_ = 0f;
+            phi_273_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_268_ = 1f;
+                phi_272_ = 1f;
             } else {
-                phi_268_ = param_5.w;
+                phi_272_ = param_5.w;
             }
-            let _e105 = phi_268_;
-            phi_269_ = _e105;
+            let _e106 = phi_272_;
+            phi_273_ = _e106;
         }
-        let _e107 = phi_269_;
-        phi_270_ = _e107;
+        let _e108 = phi_273_;
+        phi_274_ = _e108;
     }
-    let _e109 = phi_270_;
-    let _e110 = (_e73 - _e61);
-    let _e111 = (_e85 - _e61);
-    let _e112 = (_e97 - _e61);
-    let _e113 = (_e109 - _e61);
-    let _e124 = ((((_e110 * param_6.x) + (_e111 * param_6.y)) + (_e112 * param_6.z)) + (_e113 * param_6.w));
-    if ((bitcast<u32>(_e124) & 2147483647u) > 2139095040u) {
-        phi_827_ = _e124;
-        phi_828_ = f32();
-        phi_829_ = true;
+    let _e110 = phi_274_;
+    let _e111 = (_e74 - _e62);
+    let _e112 = (_e86 - _e62);
+    let _e113 = (_e98 - _e62);
+    let _e114 = (_e110 - _e62);
+    let _e125 = ((((_e111 * param_6.x) + (_e112 * param_6.y)) + (_e113 * param_6.z)) + (_e114 * param_6.w));
+    if ((bitcast<u32>(_e125) & 2147483647u) > 2139095040u) {
+        phi_831_ = _e125;
+        phi_832_ = f32();
+        phi_833_ = true;
     } else {
-        if (_e110 >= 0f) {
-            if (_e111 >= 0f) {
-                if (_e112 >= 0f) {
-                    phi_305_ = (_e113 >= 0f);
-                    phi_306_ = false;
+        if (_e111 >= 0f) {
+            if (_e112 >= 0f) {
+                if (_e113 >= 0f) {
+                    phi_309_ = (_e114 >= 0f);
+                    phi_310_ = false;
                 } else {
-                    phi_305_ = bool();
-                    phi_306_ = true;
+                    phi_309_ = bool();
+                    phi_310_ = true;
                 }
-                let _e133 = phi_305_;
-                let _e135 = phi_306_;
-                phi_307_ = _e133;
-                phi_308_ = _e135;
+                let _e134 = phi_309_;
+                let _e136 = phi_310_;
+                phi_311_ = _e134;
+                phi_312_ = _e136;
             } else {
-                phi_307_ = bool();
-                phi_308_ = true;
+                phi_311_ = bool();
+                phi_312_ = true;
             }
-            let _e137 = phi_307_;
-            let _e139 = phi_308_;
-            phi_309_ = _e137;
-            phi_310_ = _e139;
+            let _e138 = phi_311_;
+            let _e140 = phi_312_;
+            phi_313_ = _e138;
+            phi_314_ = _e140;
         } else {
-            phi_309_ = bool();
-            phi_310_ = true;
+            phi_313_ = bool();
+            phi_314_ = true;
         }
-        let _e141 = phi_309_;
-        let _e143 = phi_310_;
-        if _e143 {
-            phi_314_ = false;
+        let _e142 = phi_313_;
+        let _e144 = phi_314_;
+        if _e144 {
+            phi_318_ = false;
         } else {
-            phi_314_ = _e141;
+            phi_318_ = _e142;
         }
-        let _e145 = phi_314_;
-        if _e145 {
-            phi_824_ = 1f;
-            phi_825_ = f32();
-            phi_826_ = true;
+        let _e146 = phi_318_;
+        if _e146 {
+            phi_828_ = 1f;
+            phi_829_ = f32();
+            phi_830_ = true;
         } else {
-            let _e146 = (0.5f * _e49);
-            let _e147 = (1f - _e49);
-            let _e149 = (param_6.x * _e147);
-            let _e151 = (param_6.y * _e147);
-            let _e153 = (param_6.z * _e147);
-            let _e155 = (param_6.w * _e147);
-            let _e156 = -(_e61);
-            let _e157 = (1f - _e61);
-            let _e159 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e73);
-            let _e161 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e85);
-            let _e163 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e97);
-            let _e165 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e109);
-            let _e166 = (_e110 - _e111);
+            let _e147 = (0.5f * _e50);
+            let _e148 = (1f - _e50);
+            let _e150 = (param_6.x * _e148);
+            let _e152 = (param_6.y * _e148);
+            let _e154 = (param_6.z * _e148);
+            let _e156 = (param_6.w * _e148);
+            let _e157 = -(_e62);
+            let _e158 = (1f - _e62);
+            let _e160 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e74);
+            let _e162 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e86);
+            let _e164 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e98);
+            let _e166 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e110);
             let _e167 = (_e111 - _e112);
             let _e168 = (_e112 - _e113);
-            let _e169 = (_e113 - _e110);
-            let _e170 = (_e166 * _e166);
+            let _e169 = (_e113 - _e114);
+            let _e170 = (_e114 - _e111);
             let _e171 = (_e167 * _e167);
             let _e172 = (_e168 * _e168);
             let _e173 = (_e169 * _e169);
-            let _e174 = (_e110 - _e112);
+            let _e174 = (_e170 * _e170);
             let _e175 = (_e111 - _e113);
-            let _e176 = (_e112 - _e110);
+            let _e176 = (_e112 - _e114);
             let _e177 = (_e113 - _e111);
-            let _e178 = (_e174 * _e174);
+            let _e178 = (_e114 - _e112);
             let _e179 = (_e175 * _e175);
             let _e180 = (_e176 * _e176);
             let _e181 = (_e177 * _e177);
-            let _e186 = ((_e149 * _e151) * _e170);
-            let _e187 = ((_e151 * _e153) * _e171);
-            let _e188 = ((_e153 * _e155) * _e172);
-            let _e189 = ((_e155 * _e149) * _e173);
-            let _e198 = (((0.5f * _e149) * _e153) * _e178);
-            let _e199 = (((0.5f * _e151) * _e155) * _e179);
-            let _e200 = (((0.5f * _e153) * _e149) * _e180);
-            let _e201 = (((0.5f * _e155) * _e151) * _e181);
-            let _e202 = (_e110 * _e111);
+            let _e182 = (_e178 * _e178);
+            let _e187 = ((_e150 * _e152) * _e171);
+            let _e188 = ((_e152 * _e154) * _e172);
+            let _e189 = ((_e154 * _e156) * _e173);
+            let _e190 = ((_e156 * _e150) * _e174);
+            let _e199 = (((0.5f * _e150) * _e154) * _e179);
+            let _e200 = (((0.5f * _e152) * _e156) * _e180);
+            let _e201 = (((0.5f * _e154) * _e150) * _e181);
+            let _e202 = (((0.5f * _e156) * _e152) * _e182);
             let _e203 = (_e111 * _e112);
             let _e204 = (_e112 * _e113);
-            let _e205 = (_e113 * _e110);
-            let _e206 = (_e110 * _e112);
+            let _e205 = (_e113 * _e114);
+            let _e206 = (_e114 * _e111);
             let _e207 = (_e111 * _e113);
-            let _e208 = (_e112 * _e110);
+            let _e208 = (_e112 * _e114);
             let _e209 = (_e113 * _e111);
-            let _e210 = (_e186 * _e202);
+            let _e210 = (_e114 * _e112);
             let _e211 = (_e187 * _e203);
             let _e212 = (_e188 * _e204);
             let _e213 = (_e189 * _e205);
-            let _e214 = (_e198 * _e206);
+            let _e214 = (_e190 * _e206);
             let _e215 = (_e199 * _e207);
             let _e216 = (_e200 * _e208);
             let _e217 = (_e201 * _e209);
-            let _e218 = (_e73 * _e73);
-            let _e219 = (_e85 * _e85);
-            let _e220 = (_e97 * _e97);
-            let _e221 = (_e109 * _e109);
-            let _e222 = (_e159 * _e159);
-            let _e223 = (_e161 * _e161);
-            let _e224 = (_e163 * _e163);
-            let _e225 = (_e165 * _e165);
-            let _e226 = (_e146 * _e149);
-            let _e227 = (_e146 * _e151);
-            let _e228 = (_e146 * _e153);
-            let _e229 = (_e146 * _e155);
-            let _e238 = (((_e226 * _e110) * _e218) * _e156);
-            let _e239 = (((_e227 * _e111) * _e219) * _e156);
-            let _e240 = (((_e228 * _e112) * _e220) * _e156);
-            let _e241 = (((_e229 * _e113) * _e221) * _e156);
-            let _e250 = (((_e226 * _e110) * _e222) * _e157);
-            let _e251 = (((_e227 * _e111) * _e223) * _e157);
-            let _e252 = (((_e228 * _e112) * _e224) * _e157);
-            let _e253 = (((_e229 * _e113) * _e225) * _e157);
-            let _e421 = (((((((_e186 * _e153) * _e171) * _e178) + (_e146 * (((_e186 * ((_e218 * _e219) + (_e222 * _e223))) + (_e198 * ((_e218 * _e220) + (_e222 * _e224)))) + ((_e226 * _e218) * _e222)))) + ((((_e187 * _e155) * _e172) * _e179) + (_e146 * (((_e187 * ((_e219 * _e220) + (_e223 * _e224))) + (_e199 * ((_e219 * _e221) + (_e223 * _e225)))) + ((_e227 * _e219) * _e223))))) + ((((_e188 * _e149) * _e173) * _e180) + (_e146 * (((_e188 * ((_e220 * _e221) + (_e224 * _e225))) + (_e200 * ((_e220 * _e218) + (_e224 * _e222)))) + ((_e228 * _e220) * _e224))))) + ((((_e189 * _e151) * _e170) * _e181) + (_e146 * (((_e189 * ((_e221 * _e218) + (_e225 * _e222))) + (_e201 * ((_e221 * _e219) + (_e225 * _e223)))) + ((_e229 * _e221) * _e225)))));
-            let _e424 = (((_e146 * _e146) * _e156) * _e157);
-            let _e427 = (((((((_e210 * _e202) + (_e214 * _e206)) + (_e110 * ((_e238 * _e156) + (_e250 * _e157)))) + (((_e211 * _e203) + (_e215 * _e207)) + (_e111 * ((_e239 * _e156) + (_e251 * _e157))))) + (((_e212 * _e204) + (_e216 * _e208)) + (_e112 * ((_e240 * _e156) + (_e252 * _e157))))) + (((_e213 * _e205) + (_e217 * _e209)) + (_e113 * ((_e241 * _e156) + (_e253 * _e157))))) + ((_e424 * _e156) * _e157));
-            let _e433 = (_e427 < 0.0000000000000000000000000000000001f);
-            if _e433 {
-                if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-                    phi_627_ = _e110;
-                } else {
-                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_626_ = 0f;
-                    } else {
-                        if (_e110 < 0f) {
-                            phi_625_ = 0f;
-                        } else {
-                            phi_625_ = 1f;
-                        }
-                        let _e442 = phi_625_;
-                        phi_626_ = _e442;
-                    }
-                    let _e444 = phi_626_;
-                    phi_627_ = _e444;
-                }
-                let _e446 = phi_627_;
+            let _e218 = (_e202 * _e210);
+            let _e219 = (_e74 * _e74);
+            let _e220 = (_e86 * _e86);
+            let _e221 = (_e98 * _e98);
+            let _e222 = (_e110 * _e110);
+            let _e223 = (_e160 * _e160);
+            let _e224 = (_e162 * _e162);
+            let _e225 = (_e164 * _e164);
+            let _e226 = (_e166 * _e166);
+            let _e227 = (_e147 * _e150);
+            let _e228 = (_e147 * _e152);
+            let _e229 = (_e147 * _e154);
+            let _e230 = (_e147 * _e156);
+            let _e239 = (((_e227 * _e111) * _e219) * _e157);
+            let _e240 = (((_e228 * _e112) * _e220) * _e157);
+            let _e241 = (((_e229 * _e113) * _e221) * _e157);
+            let _e242 = (((_e230 * _e114) * _e222) * _e157);
+            let _e251 = (((_e227 * _e111) * _e223) * _e158);
+            let _e252 = (((_e228 * _e112) * _e224) * _e158);
+            let _e253 = (((_e229 * _e113) * _e225) * _e158);
+            let _e254 = (((_e230 * _e114) * _e226) * _e158);
+            let _e422 = (((((((_e187 * _e154) * _e172) * _e179) + (_e147 * (((_e187 * ((_e219 * _e220) + (_e223 * _e224))) + (_e199 * ((_e219 * _e221) + (_e223 * _e225)))) + ((_e227 * _e219) * _e223)))) + ((((_e188 * _e156) * _e173) * _e180) + (_e147 * (((_e188 * ((_e220 * _e221) + (_e224 * _e225))) + (_e200 * ((_e220 * _e222) + (_e224 * _e226)))) + ((_e228 * _e220) * _e224))))) + ((((_e189 * _e150) * _e174) * _e181) + (_e147 * (((_e189 * ((_e221 * _e222) + (_e225 * _e226))) + (_e201 * ((_e221 * _e219) + (_e225 * _e223)))) + ((_e229 * _e221) * _e225))))) + ((((_e190 * _e152) * _e171) * _e182) + (_e147 * (((_e190 * ((_e222 * _e219) + (_e226 * _e223))) + (_e202 * ((_e222 * _e220) + (_e226 * _e224)))) + ((_e230 * _e222) * _e226)))));
+            let _e425 = (((_e147 * _e147) * _e157) * _e158);
+            let _e428 = (((((((_e211 * _e203) + (_e215 * _e207)) + (_e111 * ((_e239 * _e157) + (_e251 * _e158)))) + (((_e212 * _e204) + (_e216 * _e208)) + (_e112 * ((_e240 * _e157) + (_e252 * _e158))))) + (((_e213 * _e205) + (_e217 * _e209)) + (_e113 * ((_e241 * _e157) + (_e253 * _e158))))) + (((_e214 * _e206) + (_e218 * _e210)) + (_e114 * ((_e242 * _e157) + (_e254 * _e158))))) + ((_e425 * _e157) * _e158));
+            let _e434 = (_e428 < 0.0000000000000000000000000000000001f);
+            if _e434 {
                 if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
-                    phi_646_ = _e111;
+                    phi_631_ = _e111;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_645_ = 0f;
+                        phi_630_ = 0f;
                     } else {
                         if (_e111 < 0f) {
-                            phi_644_ = 0f;
+                            phi_629_ = 0f;
                         } else {
-                            phi_644_ = 1f;
+                            phi_629_ = 1f;
                         }
-                        let _e455 = phi_644_;
-                        phi_645_ = _e455;
+                        let _e443 = phi_629_;
+                        phi_630_ = _e443;
                     }
-                    let _e457 = phi_645_;
-                    phi_646_ = _e457;
+                    let _e445 = phi_630_;
+                    phi_631_ = _e445;
                 }
-                let _e459 = phi_646_;
+                let _e447 = phi_631_;
                 if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
-                    phi_665_ = _e112;
+                    phi_650_ = _e112;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_664_ = 0f;
+                        phi_649_ = 0f;
                     } else {
                         if (_e112 < 0f) {
-                            phi_663_ = 0f;
+                            phi_648_ = 0f;
                         } else {
-                            phi_663_ = 1f;
+                            phi_648_ = 1f;
                         }
-                        let _e468 = phi_663_;
-                        phi_664_ = _e468;
+                        let _e456 = phi_648_;
+                        phi_649_ = _e456;
                     }
-                    let _e470 = phi_664_;
-                    phi_665_ = _e470;
+                    let _e458 = phi_649_;
+                    phi_650_ = _e458;
                 }
-                let _e472 = phi_665_;
+                let _e460 = phi_650_;
                 if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
-                    phi_684_ = _e113;
+                    phi_669_ = _e113;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_683_ = 0f;
+                        phi_668_ = 0f;
                     } else {
                         if (_e113 < 0f) {
-                            phi_682_ = 0f;
+                            phi_667_ = 0f;
                         } else {
-                            phi_682_ = 1f;
+                            phi_667_ = 1f;
                         }
-                        let _e481 = phi_682_;
-                        phi_683_ = _e481;
+                        let _e469 = phi_667_;
+                        phi_668_ = _e469;
                     }
-                    let _e483 = phi_683_;
-                    phi_684_ = _e483;
+                    let _e471 = phi_668_;
+                    phi_669_ = _e471;
                 }
-                let _e485 = phi_684_;
-                let _e493 = (((((_e446 * _e149) + (_e459 * _e151)) + (_e472 * _e153)) + (_e485 * _e155)) + _e146);
-                if ((bitcast<u32>(_e493) & 2147483647u) > 2139095040u) {
-                    phi_709_ = _e493;
+                let _e473 = phi_669_;
+                if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
+                    phi_688_ = _e114;
                 } else {
-                    if (_e493 < 0f) {
-                        phi_708_ = 0f;
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_687_ = 0f;
                     } else {
-                        if (_e493 > 1f) {
-                            phi_707_ = 1f;
+                        if (_e114 < 0f) {
+                            phi_686_ = 0f;
                         } else {
-                            phi_707_ = _e493;
+                            phi_686_ = 1f;
                         }
-                        let _e500 = phi_707_;
-                        phi_708_ = _e500;
+                        let _e482 = phi_686_;
+                        phi_687_ = _e482;
                     }
-                    let _e502 = phi_708_;
-                    phi_709_ = _e502;
+                    let _e484 = phi_687_;
+                    phi_688_ = _e484;
                 }
-                let _e504 = phi_709_;
-                phi_822_ = _e504;
-                phi_823_ = f32();
+                let _e486 = phi_688_;
+                let _e494 = (((((_e447 * _e150) + (_e460 * _e152)) + (_e473 * _e154)) + (_e486 * _e156)) + _e147);
+                if ((bitcast<u32>(_e494) & 2147483647u) > 2139095040u) {
+                    phi_713_ = _e494;
+                } else {
+                    if (_e494 < 0f) {
+                        phi_712_ = 0f;
+                    } else {
+                        if (_e494 > 1f) {
+                            phi_711_ = 1f;
+                        } else {
+                            phi_711_ = _e494;
+                        }
+                        let _e501 = phi_711_;
+                        phi_712_ = _e501;
+                    }
+                    let _e503 = phi_712_;
+                    phi_713_ = _e503;
+                }
+                let _e505 = phi_713_;
+                phi_826_ = _e505;
+                phi_827_ = f32();
             } else {
-                let _e506 = ((0.5f * -(((((((((_e210 * (_e110 + _e111)) + (_e214 * (_e110 + _e112))) + (_e238 * (_e110 + _e156))) + (_e250 * (_e110 + _e157))) + ((((_e211 * (_e111 + _e112)) + (_e215 * (_e111 + _e113))) + (_e239 * (_e111 + _e156))) + (_e251 * (_e111 + _e157)))) + ((((_e212 * (_e112 + _e113)) + (_e216 * (_e112 + _e110))) + (_e240 * (_e112 + _e156))) + (_e252 * (_e112 + _e157)))) + ((((_e213 * (_e113 + _e110)) + (_e217 * (_e113 + _e111))) + (_e241 * (_e113 + _e156))) + (_e253 * (_e113 + _e157)))) + (_e424 * (_e156 + _e157))))) / _e427);
-                let _e507 = ((((((((_e210 + _e214) + _e238) + _e250) + (((_e211 + _e215) + _e239) + _e251)) + (((_e212 + _e216) + _e240) + _e252)) + (((_e213 + _e217) + _e241) + _e253)) + _e424) / _e427);
-                let _e509 = ((_e506 * _e506) - _e507);
-                if (_e509 > 0f) {
-                    phi_720_ = sqrt(_e509);
+                let _e507 = ((0.5f * -(((((((((_e211 * (_e111 + _e112)) + (_e215 * (_e111 + _e113))) + (_e239 * (_e111 + _e157))) + (_e251 * (_e111 + _e158))) + ((((_e212 * (_e112 + _e113)) + (_e216 * (_e112 + _e114))) + (_e240 * (_e112 + _e157))) + (_e252 * (_e112 + _e158)))) + ((((_e213 * (_e113 + _e114)) + (_e217 * (_e113 + _e111))) + (_e241 * (_e113 + _e157))) + (_e253 * (_e113 + _e158)))) + ((((_e214 * (_e114 + _e111)) + (_e218 * (_e114 + _e112))) + (_e242 * (_e114 + _e157))) + (_e254 * (_e114 + _e158)))) + (_e425 * (_e157 + _e158))))) / _e428);
+                let _e508 = ((((((((_e211 + _e215) + _e239) + _e251) + (((_e212 + _e216) + _e240) + _e252)) + (((_e213 + _e217) + _e241) + _e253)) + (((_e214 + _e218) + _e242) + _e254)) + _e425) / _e428);
+                let _e510 = ((_e507 * _e507) - _e508);
+                if (_e510 > 0f) {
+                    phi_724_ = sqrt(_e510);
                 } else {
-                    phi_720_ = 0f;
+                    phi_724_ = 0f;
                 }
-                let _e513 = phi_720_;
-                if (_e506 > 0f) {
-                    let _e516 = (-(_e506) - _e513);
-                    phi_737_ = lt_bvh_slab_Span(_e516, (_e507 / _e516));
+                let _e514 = phi_724_;
+                if (_e507 > 0f) {
+                    let _e517 = (-(_e507) - _e514);
+                    phi_741_ = lt_bvh_slab_Span(_e517, (_e508 / _e517));
                 } else {
-                    let _e519 = (_e513 - _e506);
-                    if (_e519 > 0f) {
-                        phi_735_ = (_e507 / _e519);
+                    let _e520 = (_e514 - _e507);
+                    if (_e520 > 0f) {
+                        phi_739_ = (_e508 / _e520);
                     } else {
-                        phi_735_ = 0f;
+                        phi_739_ = 0f;
                     }
-                    let _e523 = phi_735_;
-                    phi_737_ = lt_bvh_slab_Span(_e523, _e519);
+                    let _e524 = phi_739_;
+                    phi_741_ = lt_bvh_slab_Span(_e524, _e520);
                 }
-                let _e526 = phi_737_;
-                if (_e526.near >= 0f) {
-                    phi_798_ = 1f;
-                    phi_799_ = f32();
-                    phi_800_ = true;
+                let _e527 = phi_741_;
+                if (_e527.near >= 0f) {
+                    phi_802_ = 1f;
+                    phi_803_ = f32();
+                    phi_804_ = true;
                 } else {
-                    let _e530 = (_e526.far <= 0f);
-                    if _e530 {
-                        phi_796_ = (_e421 / _e427);
-                        phi_797_ = f32();
+                    let _e531 = (_e527.far <= 0f);
+                    if _e531 {
+                        phi_800_ = (_e422 / _e428);
+                        phi_801_ = f32();
                     } else {
-                        let _e541 = (((((_e149 * _e110) + (_e151 * _e111)) + (_e153 * _e112)) + (_e155 * _e113)) + (_e146 * (_e156 + _e157)));
-                        let _e557 = (((((_e149 * (_e110 * _e110)) + (_e151 * (_e111 * _e111))) + (_e153 * (_e112 * _e112))) + (_e155 * (_e113 * _e113))) + (_e146 * ((_e156 * _e156) + (_e157 * _e157))));
-                        if (-(_e526.near) <= _e526.far) {
-                            phi_795_ = (1f - (((_e526.near * _e526.near) * ((_e526.far * _e557) - _e541)) / (_e526.far - _e526.near)));
+                        let _e542 = (((((_e150 * _e111) + (_e152 * _e112)) + (_e154 * _e113)) + (_e156 * _e114)) + (_e147 * (_e157 + _e158)));
+                        let _e558 = (((((_e150 * (_e111 * _e111)) + (_e152 * (_e112 * _e112))) + (_e154 * (_e113 * _e113))) + (_e156 * (_e114 * _e114))) + (_e147 * ((_e157 * _e157) + (_e158 * _e158))));
+                        if (-(_e527.near) <= _e527.far) {
+                            phi_799_ = (1f - (((_e527.near * _e527.near) * ((_e527.far * _e558) - _e542)) / (_e527.far - _e527.near)));
                         } else {
-                            phi_795_ = ((_e421 / _e427) + (((_e526.far * _e526.far) * (_e541 - (_e526.near * _e557))) / (_e526.far - _e526.near)));
+                            phi_799_ = ((_e422 / _e428) + (((_e527.far * _e527.far) * (_e542 - (_e527.near * _e558))) / (_e527.far - _e527.near)));
                         }
-                        let _e576 = phi_795_;
-                        phi_796_ = f32();
-                        phi_797_ = _e576;
+                        let _e577 = phi_799_;
+                        phi_800_ = f32();
+                        phi_801_ = _e577;
                     }
-                    let _e578 = phi_796_;
-                    let _e580 = phi_797_;
-                    phi_798_ = _e578;
-                    phi_799_ = _e580;
-                    phi_800_ = _e530;
+                    let _e579 = phi_800_;
+                    let _e581 = phi_801_;
+                    phi_802_ = _e579;
+                    phi_803_ = _e581;
+                    phi_804_ = _e531;
                 }
-                let _e582 = phi_798_;
-                let _e584 = phi_799_;
-                let _e586 = phi_800_;
-                if _e586 {
-                    phi_804_ = _e582;
+                let _e583 = phi_802_;
+                let _e585 = phi_803_;
+                let _e587 = phi_804_;
+                if _e587 {
+                    phi_808_ = _e583;
                 } else {
-                    phi_804_ = _e584;
+                    phi_808_ = _e585;
                 }
-                let _e588 = phi_804_;
-                if ((bitcast<u32>(_e588) & 2147483647u) > 2139095040u) {
-                    phi_821_ = _e588;
+                let _e589 = phi_808_;
+                if ((bitcast<u32>(_e589) & 2147483647u) > 2139095040u) {
+                    phi_825_ = _e589;
                 } else {
-                    if (_e588 < 0f) {
-                        phi_820_ = 0f;
+                    if (_e589 < 0f) {
+                        phi_824_ = 0f;
                     } else {
-                        if (_e588 > 1f) {
-                            phi_819_ = 1f;
+                        if (_e589 > 1f) {
+                            phi_823_ = 1f;
                         } else {
-                            phi_819_ = _e588;
+                            phi_823_ = _e589;
                         }
-                        let _e595 = phi_819_;
-                        phi_820_ = _e595;
+                        let _e596 = phi_823_;
+                        phi_824_ = _e596;
                     }
-                    let _e597 = phi_820_;
-                    phi_821_ = _e597;
+                    let _e598 = phi_824_;
+                    phi_825_ = _e598;
                 }
-                let _e599 = phi_821_;
-                phi_822_ = f32();
-                phi_823_ = _e599;
+                let _e600 = phi_825_;
+                phi_826_ = f32();
+                phi_827_ = _e600;
             }
-            let _e601 = phi_822_;
-            let _e603 = phi_823_;
-            phi_824_ = _e601;
-            phi_825_ = _e603;
-            phi_826_ = _e433;
+            let _e602 = phi_826_;
+            let _e604 = phi_827_;
+            phi_828_ = _e602;
+            phi_829_ = _e604;
+            phi_830_ = _e434;
         }
-        let _e605 = phi_824_;
-        let _e607 = phi_825_;
-        let _e609 = phi_826_;
-        phi_827_ = _e605;
-        phi_828_ = _e607;
-        phi_829_ = _e609;
+        let _e606 = phi_828_;
+        let _e608 = phi_829_;
+        let _e610 = phi_830_;
+        phi_831_ = _e606;
+        phi_832_ = _e608;
+        phi_833_ = _e610;
     }
-    let _e611 = phi_827_;
-    let _e613 = phi_828_;
-    let _e615 = phi_829_;
-    if _e615 {
-        phi_833_ = _e611;
+    let _e612 = phi_831_;
+    let _e614 = phi_832_;
+    let _e616 = phi_833_;
+    if _e616 {
+        phi_837_ = _e612;
     } else {
-        phi_833_ = _e613;
+        phi_837_ = _e614;
     }
-    let _e617 = phi_833_;
-    return _e617;
+    let _e618 = phi_837_;
+    return _e618;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_889_: bool;
-    var phi_890_: bool;
-    var phi_891_: bool;
     var phi_892_: bool;
-    var phi_896_: bool;
-    var phi_940_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_944_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_964_: lt_math_LightPoint;
-    var phi_967_: u32;
-    var phi_969_: lt_math_LevelPoint;
-    var phi_1055_: bool;
-    var phi_1064_: bool;
-    var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_1075_: bool;
-    var phi_1076_: bool;
-    var phi_1077_: bool;
-    var phi_1078_: bool;
-    var phi_1079_: bool;
-    var phi_1083_: bool;
-    var phi_1110_: bool;
-    var phi_1111_: bool;
-    var phi_1112_: bool;
-    var phi_1113_: bool;
-    var phi_1114_: bool;
+    var phi_893_: bool;
+    var phi_894_: bool;
+    var phi_895_: bool;
+    var phi_899_: bool;
+    var phi_969_: bool;
+    var phi_970_: bool;
+    var phi_981_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_982_: bool;
+    var phi_983_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_984_: bool;
+    var phi_991_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_995_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1015_: lt_math_LightPoint;
+    var phi_1018_: u32;
+    var phi_1020_: lt_math_LevelPoint;
+    var phi_1106_: bool;
     var phi_1115_: bool;
-    var phi_1116_: bool;
-    var phi_1117_: bool;
-    var phi_1121_: bool;
-    var phi_1130_: lt_math_LightPoint;
-    var phi_1131_: u32;
-    var phi_1132_: lt_math_LevelPoint;
-    var phi_1133_: bool;
-    var phi_965_: lt_math_LightPoint;
-    var phi_968_: u32;
-    var phi_970_: lt_math_LevelPoint;
+    var phi_1124_: bool;
+    var phi_1125_: bool;
+    var phi_1126_: bool;
+    var phi_1127_: bool;
+    var phi_1128_: bool;
+    var phi_1129_: bool;
+    var phi_1130_: bool;
     var phi_1134_: bool;
+    var phi_1161_: bool;
+    var phi_1162_: bool;
+    var phi_1163_: bool;
+    var phi_1164_: bool;
+    var phi_1165_: bool;
+    var phi_1166_: bool;
+    var phi_1167_: bool;
+    var phi_1168_: bool;
+    var phi_1172_: bool;
+    var phi_1181_: lt_math_LightPoint;
+    var phi_1182_: u32;
+    var phi_1183_: lt_math_LevelPoint;
+    var phi_1184_: bool;
+    var phi_1016_: lt_math_LightPoint;
+    var phi_1019_: u32;
+    var phi_1021_: lt_math_LevelPoint;
+    var phi_1185_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
-    var phi_1176_: bool;
-    var phi_1177_: bool;
-    var phi_1181_: bool;
-    var phi_1263_: f32;
-    var phi_1379_: f32;
-    var phi_1380_: f32;
-    var phi_1383_: f32;
-    var phi_1412_: f32;
-    var phi_1417_: f32;
-    var phi_1418_: bool;
-    var phi_1419_: f32;
-    var phi_1420_: bool;
-    var phi_1424_: f32;
-    var phi_1444_: f32;
-    var phi_1449_: f32;
-    var phi_1450_: bool;
-    var phi_1451_: f32;
-    var phi_1452_: bool;
-    var phi_1456_: f32;
+    var phi_1225_: bool;
+    var phi_1226_: bool;
+    var phi_1227_: bool;
+    var phi_1228_: bool;
+    var phi_1232_: bool;
+    var phi_1314_: f32;
+    var phi_1432_: f32;
+    var phi_1433_: f32;
+    var phi_1436_: f32;
+    var phi_1465_: f32;
+    var phi_1470_: f32;
+    var phi_1471_: bool;
+    var phi_1472_: f32;
+    var phi_1473_: bool;
+    var phi_1477_: f32;
+    var phi_1497_: f32;
+    var phi_1502_: f32;
+    var phi_1503_: bool;
+    var phi_1504_: f32;
+    var phi_1505_: bool;
+    var phi_1509_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1505_: i32;
-    var phi_1510_: i32;
-    var phi_1515_: i32;
-    var phi_1520_: i32;
-    var phi_1529_: i32;
-    var phi_1534_: i32;
-    var phi_1539_: i32;
-    var phi_1544_: i32;
-    var phi_1595_: bool;
-    var phi_1603_: bool;
-    var phi_1615_: bool;
-    var phi_1616_: bool;
-    var phi_1620_: f32;
-    var phi_1626_: f32;
-    var phi_1628_: evaluate_Verdict;
-    var phi_1633_: evaluate_Verdict;
-    var phi_1634_: evaluate_Verdict;
-    var phi_1638_: bool;
-    var phi_1639_: u32;
-    var phi_1650_: u32;
+    var phi_1558_: i32;
+    var phi_1563_: i32;
+    var phi_1568_: i32;
+    var phi_1573_: i32;
+    var phi_1582_: i32;
+    var phi_1587_: i32;
+    var phi_1592_: i32;
+    var phi_1597_: i32;
+    var phi_1648_: bool;
+    var phi_1656_: bool;
+    var phi_1668_: bool;
+    var phi_1669_: bool;
+    var phi_1673_: f32;
+    var phi_1679_: f32;
+    var phi_1681_: evaluate_Verdict;
+    var phi_1686_: evaluate_Verdict;
+    var phi_1687_: evaluate_Verdict;
+    var phi_1691_: bool;
+    var phi_1692_: u32;
+    var phi_1703_: u32;
 
-    let _e46 = id_1;
-    let _e47 = local_5;
-    let _e52 = arrayLength((&map.member));
-    let _e57 = arrayLength((&levels.member));
-    let _e60 = p.member.size[0u];
-    let _e62 = p.member.size[1u];
-    let _e63 = lt_shaders_entry_pixel_index(_e46, _e60, _e62);
-    if (bitcast<i32>(_e63.root) != 0i) {
-        let _e70 = p.member.level_count;
-        let _e72 = p.member.light;
-        let _e75 = samples.member[_e63.first_primitive].normal[0u];
+    let _e47 = id_1;
+    let _e48 = local_5;
+    let _e53 = arrayLength((&map.member));
+    let _e58 = arrayLength((&levels.member));
+    let _e61 = p.member.size[0u];
+    let _e63 = p.member.size[1u];
+    let _e64 = lt_shaders_entry_pixel_index(_e47, _e61, _e63);
+    if (bitcast<i32>(_e64.root) != 0i) {
+        let _e71 = p.member.level_count;
+        let _e75 = samples.member[_e64.first_primitive].normal[0u];
         let _e77 = global[0u];
         if (_e75 == _e77) {
-            let _e80 = samples.member[_e63.first_primitive].normal[1u];
+            let _e80 = samples.member[_e64.first_primitive].normal[1u];
             let _e82 = global[1u];
             if (_e80 == _e82) {
-                let _e85 = samples.member[_e63.first_primitive].normal[2u];
+                let _e85 = samples.member[_e64.first_primitive].normal[2u];
                 let _e87 = global[2u];
-                phi_889_ = (_e85 == _e87);
-                phi_890_ = false;
+                phi_892_ = (_e85 == _e87);
+                phi_893_ = false;
             } else {
-                phi_889_ = bool();
-                phi_890_ = true;
+                phi_892_ = bool();
+                phi_893_ = true;
             }
-            let _e90 = phi_889_;
-            let _e92 = phi_890_;
-            phi_891_ = _e90;
-            phi_892_ = _e92;
+            let _e90 = phi_892_;
+            let _e92 = phi_893_;
+            phi_894_ = _e90;
+            phi_895_ = _e92;
         } else {
-            phi_891_ = bool();
-            phi_892_ = true;
+            phi_894_ = bool();
+            phi_895_ = true;
         }
-        let _e94 = phi_891_;
-        let _e96 = phi_892_;
+        let _e94 = phi_894_;
+        let _e96 = phi_895_;
         if _e96 {
-            phi_896_ = false;
+            phi_899_ = false;
         } else {
-            phi_896_ = _e94;
+            phi_899_ = _e94;
         }
-        let _e98 = phi_896_;
+        let _e98 = phi_899_;
         if !(_e98) {
-            let _e101 = samples.member[_e63.first_primitive].normal;
-            let _e103 = samples.member[_e63.first_primitive].position;
-            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
-                let _e127 = samples.member[_e63.first_primitive].flags;
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_940_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
-            } else {
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_940_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
-            }
-            let _e161 = phi_940_;
-            phi_944_ = _e161;
-        } else {
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_944_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
-        }
-        let _e178 = phi_944_;
-        if _e178.unnamed_1 {
-            phi_1634_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
-        } else {
-            let _e186 = samples.member[_e63.first_primitive].position;
-            let _e188 = p.member.map_size;
-            let _e190 = (0.5f / f32(_e188));
-            let _e197 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e204 = lt_math_LightPoint(vec2<f32>(_e197.uv.x, 0f), _e197.depth, _e197.is_inside);
-            let _e208 = lt_math_LightPoint(_e204.uv, 0f, _e204.is_inside);
-            phi_964_ = lt_math_LightPoint();
-            phi_967_ = 0u;
-            phi_969_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e208.uv, _e208.depth, false));
-            loop {
-                let _e215 = phi_964_;
-                let _e217 = phi_967_;
-                let _e219 = phi_969_;
-                local_2 = _e219;
-                local_3 = _e219;
-                local_4 = _e219;
-                if (_e217 < _e70) {
-                    if _e219.point.is_inside {
-                        phi_1130_ = lt_math_LightPoint();
-                        phi_1131_ = u32();
-                        phi_1132_ = lt_math_LevelPoint();
-                        phi_1133_ = false;
+            let _e101 = samples.member[_e64.first_primitive].position;
+            let _e103 = p.member.light.place;
+            let _e109 = p.member.light.place[3u];
+            let _e116 = (_e103.x - (_e101.x * _e109));
+            let _e117 = (_e103.y - (_e101.y * _e109));
+            let _e118 = (_e103.z - (_e101.z * _e109));
+            let _e120 = samples.member[_e64.first_primitive].normal;
+            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
+                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
+                let _e136 = p.member.light.axis;
+                let _e148 = p.member.light.place[3u];
+                if (_e148 == 0f) {
+                    phi_970_ = true;
+                } else {
+                    let _e151 = p.member.light.range_squared;
+                    if (_e134 <= _e151) {
+                        let _e154 = p.member.light.cos_outer;
+                        phi_969_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
                     } else {
-                        if (_e217 < _e57) {
+                        phi_969_ = false;
+                    }
+                    let _e159 = phi_969_;
+                    phi_970_ = _e159;
+                }
+                let _e161 = phi_970_;
+                if _e161 {
+                    let _e163 = samples.member[_e64.first_primitive].flags;
+                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
+                    phi_981_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
+                    phi_982_ = false;
+                } else {
+                    phi_981_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_982_ = true;
+                }
+                let _e182 = phi_981_;
+                let _e184 = phi_982_;
+                phi_983_ = _e182;
+                phi_984_ = _e184;
+            } else {
+                phi_983_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_984_ = true;
+            }
+            let _e186 = phi_983_;
+            let _e188 = phi_984_;
+            if _e188 {
+                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
+                phi_991_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
+            } else {
+                phi_991_ = _e186;
+            }
+            let _e205 = phi_991_;
+            phi_995_ = _e205;
+        } else {
+            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
+            phi_995_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+        }
+        let _e222 = phi_995_;
+        if _e222.unnamed_1 {
+            phi_1687_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
+        } else {
+            let _e230 = samples.member[_e64.first_primitive].position;
+            let _e232 = p.member.map_size;
+            let _e234 = (0.5f / f32(_e232));
+            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
+            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
+            phi_1015_ = lt_math_LightPoint();
+            phi_1018_ = 0u;
+            phi_1020_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
+            loop {
+                let _e259 = phi_1015_;
+                let _e261 = phi_1018_;
+                let _e263 = phi_1020_;
+                local_2 = _e263;
+                local_3 = _e263;
+                local_4 = _e263;
+                if (_e261 < _e71) {
+                    if _e263.point.is_inside {
+                        phi_1181_ = lt_math_LightPoint();
+                        phi_1182_ = u32();
+                        phi_1183_ = lt_math_LevelPoint();
+                        phi_1184_ = false;
+                    } else {
+                        if (_e261 < _e58) {
                         } else {
                             return;
                         }
-                        let _e230 = levels.member[(0u + _e217)].row_w;
-                        let _e241 = ((((_e230.x * _e186.x) + (_e230.y * _e186.y)) + (_e230.z * _e186.z)) + (_e230.w * 1f));
-                        let _e243 = levels.member[(0u + _e217)].row_x;
-                        let _e255 = (((((_e243.x * _e186.x) + (_e243.y * _e186.y)) + (_e243.z * _e186.z)) + (_e243.w * 1f)) / _e241);
-                        let _e257 = levels.member[(0u + _e217)].row_y;
-                        let _e269 = (((((_e257.x * _e186.x) + (_e257.y * _e186.y)) + (_e257.z * _e186.z)) + (_e257.w * 1f)) / _e241);
-                        let _e271 = levels.member[(0u + _e217)].row_z;
-                        let _e282 = ((((_e271.x * _e186.x) + (_e271.y * _e186.y)) + (_e271.z * _e186.z)) + (_e271.w * 1f));
-                        if (_e241 > 0f) {
-                            if (_e255 >= 0f) {
-                                phi_1055_ = (_e255 <= 1f);
+                        let _e274 = levels.member[(0u + _e261)].row_w;
+                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
+                        let _e287 = levels.member[(0u + _e261)].row_x;
+                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
+                        let _e301 = levels.member[(0u + _e261)].row_y;
+                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
+                        let _e315 = levels.member[(0u + _e261)].row_z;
+                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
+                        if (_e285 > 0f) {
+                            if (_e299 >= 0f) {
+                                phi_1106_ = (_e299 <= 1f);
                             } else {
-                                phi_1055_ = false;
+                                phi_1106_ = false;
                             }
-                            let _e287 = phi_1055_;
-                            if _e287 {
-                                if (_e269 >= 0f) {
-                                    phi_1064_ = (_e269 <= 1f);
+                            let _e331 = phi_1106_;
+                            if _e331 {
+                                if (_e313 >= 0f) {
+                                    phi_1115_ = (_e313 <= 1f);
                                 } else {
-                                    phi_1064_ = false;
+                                    phi_1115_ = false;
                                 }
-                                let _e291 = phi_1064_;
-                                if _e291 {
-                                    if (_e282 >= 0f) {
-                                        phi_1073_ = (_e282 <= 1f);
+                                let _e335 = phi_1115_;
+                                if _e335 {
+                                    if (_e326 >= 0f) {
+                                        phi_1124_ = (_e326 <= 1f);
                                     } else {
-                                        phi_1073_ = false;
+                                        phi_1124_ = false;
                                     }
-                                    let _e295 = phi_1073_;
-                                    phi_1074_ = _e295;
-                                    phi_1075_ = false;
+                                    let _e339 = phi_1124_;
+                                    phi_1125_ = _e339;
+                                    phi_1126_ = false;
                                 } else {
-                                    phi_1074_ = bool();
-                                    phi_1075_ = true;
+                                    phi_1125_ = bool();
+                                    phi_1126_ = true;
                                 }
-                                let _e297 = phi_1074_;
-                                let _e299 = phi_1075_;
-                                phi_1076_ = _e297;
-                                phi_1077_ = _e299;
+                                let _e341 = phi_1125_;
+                                let _e343 = phi_1126_;
+                                phi_1127_ = _e341;
+                                phi_1128_ = _e343;
                             } else {
-                                phi_1076_ = bool();
-                                phi_1077_ = true;
+                                phi_1127_ = bool();
+                                phi_1128_ = true;
                             }
-                            let _e301 = phi_1076_;
-                            let _e303 = phi_1077_;
-                            phi_1078_ = _e301;
-                            phi_1079_ = _e303;
+                            let _e345 = phi_1127_;
+                            let _e347 = phi_1128_;
+                            phi_1129_ = _e345;
+                            phi_1130_ = _e347;
                         } else {
-                            phi_1078_ = bool();
-                            phi_1079_ = true;
+                            phi_1129_ = bool();
+                            phi_1130_ = true;
                         }
-                        let _e305 = phi_1078_;
-                        let _e307 = phi_1079_;
-                        if _e307 {
-                            phi_1083_ = false;
+                        let _e349 = phi_1129_;
+                        let _e351 = phi_1130_;
+                        if _e351 {
+                            phi_1134_ = false;
                         } else {
-                            phi_1083_ = _e305;
+                            phi_1134_ = _e349;
                         }
-                        let _e309 = phi_1083_;
-                        if _e309 {
-                            if (_e255 >= _e190) {
-                                if (_e255 <= (1f - _e190)) {
-                                    if (_e269 >= _e190) {
-                                        phi_1110_ = (_e269 <= (1f - _e190));
-                                        phi_1111_ = false;
+                        let _e353 = phi_1134_;
+                        if _e353 {
+                            if (_e299 >= _e234) {
+                                if (_e299 <= (1f - _e234)) {
+                                    if (_e313 >= _e234) {
+                                        phi_1161_ = (_e313 <= (1f - _e234));
+                                        phi_1162_ = false;
                                     } else {
-                                        phi_1110_ = bool();
-                                        phi_1111_ = true;
+                                        phi_1161_ = bool();
+                                        phi_1162_ = true;
                                     }
-                                    let _e317 = phi_1110_;
-                                    let _e319 = phi_1111_;
-                                    phi_1112_ = _e317;
-                                    phi_1113_ = _e319;
+                                    let _e361 = phi_1161_;
+                                    let _e363 = phi_1162_;
+                                    phi_1163_ = _e361;
+                                    phi_1164_ = _e363;
                                 } else {
-                                    phi_1112_ = bool();
-                                    phi_1113_ = true;
+                                    phi_1163_ = bool();
+                                    phi_1164_ = true;
                                 }
-                                let _e321 = phi_1112_;
-                                let _e323 = phi_1113_;
-                                phi_1114_ = _e321;
-                                phi_1115_ = _e323;
+                                let _e365 = phi_1163_;
+                                let _e367 = phi_1164_;
+                                phi_1165_ = _e365;
+                                phi_1166_ = _e367;
                             } else {
-                                phi_1114_ = bool();
-                                phi_1115_ = true;
+                                phi_1165_ = bool();
+                                phi_1166_ = true;
                             }
-                            let _e325 = phi_1114_;
-                            let _e327 = phi_1115_;
-                            phi_1116_ = _e325;
-                            phi_1117_ = _e327;
+                            let _e369 = phi_1165_;
+                            let _e371 = phi_1166_;
+                            phi_1167_ = _e369;
+                            phi_1168_ = _e371;
                         } else {
-                            phi_1116_ = bool();
-                            phi_1117_ = true;
+                            phi_1167_ = bool();
+                            phi_1168_ = true;
                         }
-                        let _e329 = phi_1116_;
-                        let _e331 = phi_1117_;
-                        if _e331 {
-                            phi_1121_ = false;
+                        let _e373 = phi_1167_;
+                        let _e375 = phi_1168_;
+                        if _e375 {
+                            phi_1172_ = false;
                         } else {
-                            phi_1121_ = _e329;
+                            phi_1172_ = _e373;
                         }
-                        let _e333 = phi_1121_;
-                        let _e340 = lt_math_LightPoint(vec2<f32>(_e255, _e215.uv.y), _e215.depth, _e215.is_inside);
-                        let _e347 = lt_math_LightPoint(vec2<f32>(_e340.uv.x, _e269), _e340.depth, _e340.is_inside);
-                        let _e351 = lt_math_LightPoint(_e347.uv, _e282, _e347.is_inside);
-                        let _e355 = lt_math_LightPoint(_e351.uv, _e351.depth, _e333);
-                        phi_1130_ = _e355;
-                        phi_1131_ = (_e217 + 1u);
-                        phi_1132_ = lt_math_LevelPoint(_e217, _e355);
-                        phi_1133_ = true;
+                        let _e377 = phi_1172_;
+                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
+                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
+                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
+                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
+                        phi_1181_ = _e399;
+                        phi_1182_ = (_e261 + 1u);
+                        phi_1183_ = lt_math_LevelPoint(_e261, _e399);
+                        phi_1184_ = true;
                     }
-                    let _e359 = phi_1130_;
-                    let _e361 = phi_1131_;
-                    let _e363 = phi_1132_;
-                    let _e365 = phi_1133_;
-                    phi_965_ = _e359;
-                    phi_968_ = _e361;
-                    phi_970_ = _e363;
-                    phi_1134_ = _e365;
+                    let _e403 = phi_1181_;
+                    let _e405 = phi_1182_;
+                    let _e407 = phi_1183_;
+                    let _e409 = phi_1184_;
+                    phi_1016_ = _e403;
+                    phi_1019_ = _e405;
+                    phi_1021_ = _e407;
+                    phi_1185_ = _e409;
                 } else {
-                    phi_965_ = lt_math_LightPoint();
-                    phi_968_ = u32();
-                    phi_970_ = lt_math_LevelPoint();
-                    phi_1134_ = false;
+                    phi_1016_ = lt_math_LightPoint();
+                    phi_1019_ = u32();
+                    phi_1021_ = lt_math_LevelPoint();
+                    phi_1185_ = false;
                 }
-                let _e367 = phi_965_;
-                let _e369 = phi_968_;
-                let _e371 = phi_970_;
-                let _e373 = phi_1134_;
+                let _e411 = phi_1016_;
+                let _e413 = phi_1019_;
+                let _e415 = phi_1021_;
+                let _e417 = phi_1185_;
                 continue;
                 continuing {
-                    phi_964_ = _e367;
-                    phi_967_ = _e369;
-                    phi_969_ = _e371;
-                    break if !(_e373);
+                    phi_1015_ = _e411;
+                    phi_1018_ = _e413;
+                    phi_1020_ = _e415;
+                    break if !(_e417);
                 }
             }
-            let _e376 = local_2;
-            if _e376.point.is_inside {
+            let _e420 = local_2;
+            if _e420.point.is_inside {
                 if (0f > 0f) {
-                    let _e382 = local_3;
-                    if (_e382.level < _e57) {
+                    let _e426 = local_3;
+                    if (_e426.level < _e58) {
                     } else {
                         return;
                     }
-                    let _e387 = levels.member[(0u + _e382.level)];
-                    let _e393 = global[0u];
-                    if (_e387.row_w.x == _e393) {
-                        let _e396 = global[1u];
-                        if (_e387.row_w.y == _e396) {
-                            let _e399 = global[2u];
-                            phi_1174_ = (_e387.row_w.z == _e399);
-                            phi_1175_ = false;
+                    let _e431 = levels.member[(0u + _e426.level)];
+                    let _e437 = global[0u];
+                    if (_e431.row_w.x == _e437) {
+                        let _e440 = global[1u];
+                        if (_e431.row_w.y == _e440) {
+                            let _e443 = global[2u];
+                            phi_1225_ = (_e431.row_w.z == _e443);
+                            phi_1226_ = false;
                         } else {
-                            phi_1174_ = bool();
-                            phi_1175_ = true;
+                            phi_1225_ = bool();
+                            phi_1226_ = true;
                         }
-                        let _e402 = phi_1174_;
-                        let _e404 = phi_1175_;
-                        phi_1176_ = _e402;
-                        phi_1177_ = _e404;
+                        let _e446 = phi_1225_;
+                        let _e448 = phi_1226_;
+                        phi_1227_ = _e446;
+                        phi_1228_ = _e448;
                     } else {
-                        phi_1176_ = bool();
-                        phi_1177_ = true;
+                        phi_1227_ = bool();
+                        phi_1228_ = true;
                     }
-                    let _e406 = phi_1176_;
-                    let _e408 = phi_1177_;
-                    if _e408 {
-                        phi_1181_ = false;
+                    let _e450 = phi_1227_;
+                    let _e452 = phi_1228_;
+                    if _e452 {
+                        phi_1232_ = false;
                     } else {
-                        phi_1181_ = _e406;
+                        phi_1232_ = _e450;
                     }
-                    let _e410 = phi_1181_;
-                    if _e410 {
-                        let _e412 = samples.member[_e63.first_primitive].normal;
-                        let _e414 = p.member.map_size;
-                        let _e484 = ((abs(((((_e387.row_x.x * _e412.x) + (_e387.row_x.y * _e412.y)) + (_e387.row_x.z * _e412.z)) / (((_e387.row_x.x * _e387.row_x.x) + (_e387.row_x.y * _e387.row_x.y)) + (_e387.row_x.z * _e387.row_x.z)))) + abs(((((_e387.row_y.x * _e412.x) + (_e387.row_y.y * _e412.y)) + (_e387.row_y.z * _e412.z)) / (((_e387.row_y.x * _e387.row_y.x) + (_e387.row_y.y * _e387.row_y.y)) + (_e387.row_y.z * _e387.row_y.z))))) / (abs(((((_e387.row_z.x * _e412.x) + (_e387.row_z.y * _e412.y)) + (_e387.row_z.z * _e412.z)) / (((_e387.row_z.x * _e387.row_z.x) + (_e387.row_z.y * _e387.row_z.y)) + (_e387.row_z.z * _e387.row_z.z)))) * f32(_e414)));
-                        if (_e484 < 0.002f) {
-                            phi_1263_ = _e484;
+                    let _e454 = phi_1232_;
+                    if _e454 {
+                        let _e456 = samples.member[_e64.first_primitive].normal;
+                        let _e458 = p.member.map_size;
+                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
+                        if (_e528 < 0.002f) {
+                            phi_1314_ = _e528;
                         } else {
-                            phi_1263_ = 0.002f;
+                            phi_1314_ = 0.002f;
                         }
-                        let _e487 = phi_1263_;
-                        phi_1380_ = _e487;
+                        let _e531 = phi_1314_;
+                        phi_1433_ = _e531;
                     } else {
-                        let _e489 = p.member.map_size;
-                        let _e495 = samples.member[_e63.first_primitive].position;
-                        let _e506 = ((((_e387.row_w.x * _e495.x) + (_e387.row_w.y * _e495.y)) + (_e387.row_w.z * _e495.z)) + _e387.row_w.w);
-                        let _e519 = ((_e387.row_x.x - (_e387.row_w.x * _e376.point.uv.x)) / _e506);
-                        let _e520 = ((_e387.row_x.y - (_e387.row_w.y * _e376.point.uv.x)) / _e506);
-                        let _e521 = ((_e387.row_x.z - (_e387.row_w.z * _e376.point.uv.x)) / _e506);
-                        let _e534 = ((_e387.row_y.x - (_e387.row_w.x * _e376.point.uv.y)) / _e506);
-                        let _e535 = ((_e387.row_y.y - (_e387.row_w.y * _e376.point.uv.y)) / _e506);
-                        let _e536 = ((_e387.row_y.z - (_e387.row_w.z * _e376.point.uv.y)) / _e506);
-                        let _e542 = samples.member[_e63.first_primitive].normal;
-                        let _e547 = ((_e535 * _e542.z) - (_e542.y * _e536));
-                        let _e552 = ((_e536 * _e542.x) - (_e542.z * _e534));
-                        let _e557 = ((_e534 * _e542.y) - (_e542.x * _e535));
-                        let _e559 = samples.member[_e63.first_primitive].normal;
-                        let _e564 = ((_e520 * _e559.z) - (_e559.y * _e521));
-                        let _e569 = ((_e521 * _e559.x) - (_e559.z * _e519));
-                        let _e574 = ((_e519 * _e559.y) - (_e559.x * _e520));
-                        let _e601 = ((abs(((((_e387.row_z.x * _e547) + (_e387.row_z.y * _e552)) + (_e387.row_z.z * _e557)) / (((_e519 * _e547) + (_e520 * _e552)) + (_e521 * _e557)))) + abs(((((_e387.row_z.x * _e564) + (_e387.row_z.y * _e569)) + (_e387.row_z.z * _e574)) / (((_e534 * _e564) + (_e535 * _e569)) + (_e536 * _e574))))) / f32(_e489));
-                        if (_e601 < 0.002f) {
-                            phi_1379_ = _e601;
+                        let _e533 = p.member.map_size;
+                        let _e539 = samples.member[_e64.first_primitive].position;
+                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
+                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
+                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
+                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
+                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
+                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
+                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
+                        let _e586 = samples.member[_e64.first_primitive].normal;
+                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
+                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
+                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
+                        let _e603 = samples.member[_e64.first_primitive].normal;
+                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
+                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
+                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
+                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
+                        let _e647 = (16f / f32(_e533));
+                        if (_e645 < _e647) {
+                            phi_1432_ = _e645;
                         } else {
-                            phi_1379_ = 0.002f;
+                            phi_1432_ = _e647;
                         }
-                        let _e604 = phi_1379_;
-                        phi_1380_ = _e604;
+                        let _e650 = phi_1432_;
+                        phi_1433_ = _e650;
                     }
-                    let _e606 = phi_1380_;
-                    phi_1383_ = (_e376.point.depth - (0f * _e606));
+                    let _e652 = phi_1433_;
+                    phi_1436_ = (_e420.point.depth - (0f * _e652));
                 } else {
-                    phi_1383_ = _e376.point.depth;
+                    phi_1436_ = _e420.point.depth;
                 }
-                let _e610 = phi_1383_;
-                let _e616 = p.member.map_size;
-                let _e617 = f32(_e616);
-                let _e620 = ((_e376.point.uv.x * _e617) - 0.5f);
-                let _e621 = ((_e376.point.uv.y * _e617) - 0.5f);
-                if (_e620 > -8388608f) {
-                    let _e633 = f32(select(0i, select(select(i32(_e620), i32(-2147483648), (_e620 < bitcast<f32>(3472883712u))), 2147483647i, (_e620 > bitcast<f32>(1325400063u))), (_e620 == _e620)));
-                    if (_e633 > _e620) {
-                        phi_1412_ = 1f;
+                let _e656 = phi_1436_;
+                let _e662 = p.member.map_size;
+                let _e663 = f32(_e662);
+                let _e666 = ((_e420.point.uv.x * _e663) - 0.5f);
+                let _e667 = ((_e420.point.uv.y * _e663) - 0.5f);
+                if (_e666 > -8388608f) {
+                    let _e679 = f32(select(0i, select(select(i32(_e666), i32(-2147483648), (_e666 < bitcast<f32>(3472883712u))), 2147483647i, (_e666 > bitcast<f32>(1325400063u))), (_e666 == _e666)));
+                    if (_e679 > _e666) {
+                        phi_1465_ = 1f;
                     } else {
-                        phi_1412_ = 0f;
+                        phi_1465_ = 0f;
                     }
-                    let _e636 = phi_1412_;
-                    if (_e620 < 8388608f) {
-                        phi_1417_ = (_e633 - _e636);
-                        phi_1418_ = false;
+                    let _e682 = phi_1465_;
+                    if (_e666 < 8388608f) {
+                        phi_1470_ = (_e679 - _e682);
+                        phi_1471_ = false;
                     } else {
-                        phi_1417_ = f32();
-                        phi_1418_ = true;
+                        phi_1470_ = f32();
+                        phi_1471_ = true;
                     }
-                    let _e639 = phi_1417_;
-                    let _e641 = phi_1418_;
-                    phi_1419_ = _e639;
-                    phi_1420_ = _e641;
+                    let _e685 = phi_1470_;
+                    let _e687 = phi_1471_;
+                    phi_1472_ = _e685;
+                    phi_1473_ = _e687;
                 } else {
-                    phi_1419_ = f32();
-                    phi_1420_ = true;
+                    phi_1472_ = f32();
+                    phi_1473_ = true;
                 }
-                let _e643 = phi_1419_;
-                let _e645 = phi_1420_;
-                if _e645 {
-                    phi_1424_ = _e620;
+                let _e689 = phi_1472_;
+                let _e691 = phi_1473_;
+                if _e691 {
+                    phi_1477_ = _e666;
                 } else {
-                    phi_1424_ = _e643;
+                    phi_1477_ = _e689;
                 }
-                let _e647 = phi_1424_;
-                if (_e621 > -8388608f) {
-                    let _e659 = f32(select(0i, select(select(i32(_e621), i32(-2147483648), (_e621 < bitcast<f32>(3472883712u))), 2147483647i, (_e621 > bitcast<f32>(1325400063u))), (_e621 == _e621)));
-                    if (_e659 > _e621) {
-                        phi_1444_ = 1f;
+                let _e693 = phi_1477_;
+                if (_e667 > -8388608f) {
+                    let _e705 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
+                    if (_e705 > _e667) {
+                        phi_1497_ = 1f;
                     } else {
-                        phi_1444_ = 0f;
+                        phi_1497_ = 0f;
                     }
-                    let _e662 = phi_1444_;
-                    if (_e621 < 8388608f) {
-                        phi_1449_ = (_e659 - _e662);
-                        phi_1450_ = false;
+                    let _e708 = phi_1497_;
+                    if (_e667 < 8388608f) {
+                        phi_1502_ = (_e705 - _e708);
+                        phi_1503_ = false;
                     } else {
-                        phi_1449_ = f32();
-                        phi_1450_ = true;
+                        phi_1502_ = f32();
+                        phi_1503_ = true;
                     }
-                    let _e665 = phi_1449_;
-                    let _e667 = phi_1450_;
-                    phi_1451_ = _e665;
-                    phi_1452_ = _e667;
+                    let _e711 = phi_1502_;
+                    let _e713 = phi_1503_;
+                    phi_1504_ = _e711;
+                    phi_1505_ = _e713;
                 } else {
-                    phi_1451_ = f32();
-                    phi_1452_ = true;
+                    phi_1504_ = f32();
+                    phi_1505_ = true;
                 }
-                let _e669 = phi_1451_;
-                let _e671 = phi_1452_;
-                if _e671 {
-                    phi_1456_ = _e621;
-                } else {
-                    phi_1456_ = _e669;
-                }
-                let _e673 = phi_1456_;
-                let _e674 = (_e620 - _e647);
-                let _e675 = (_e621 - _e673);
-                let _e684 = select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < bitcast<f32>(3472883712u))), 2147483647i, (_e647 > bitcast<f32>(1325400063u))), (_e647 == _e647));
-                let _e693 = select(0i, select(select(i32(_e673), i32(-2147483648), (_e673 < bitcast<f32>(3472883712u))), 2147483647i, (_e673 > bitcast<f32>(1325400063u))), (_e673 == _e673));
-                let _e704 = p.member.test;
-                let _e705 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e704);
-                let _e707 = p.member.map_size;
-                let _e709 = local_4;
-                local_1 = _e705;
-                let _e712 = ((_e709.level * _e707) * _e707);
-                let _e714 = (bitcast<i32>(_e707) - 1i);
-                if (_e684 > 0i) {
-                    phi_1505_ = _e684;
-                } else {
-                    phi_1505_ = 0i;
-                }
+                let _e715 = phi_1504_;
                 let _e717 = phi_1505_;
-                if (_e693 > 0i) {
-                    phi_1510_ = _e693;
+                if _e717 {
+                    phi_1509_ = _e667;
                 } else {
-                    phi_1510_ = 0i;
+                    phi_1509_ = _e715;
                 }
-                let _e720 = phi_1510_;
-                if (_e717 < _e714) {
-                    phi_1515_ = _e717;
-                } else {
-                    phi_1515_ = _e714;
-                }
-                let _e723 = phi_1515_;
-                if (_e720 < _e714) {
-                    phi_1520_ = _e720;
-                } else {
-                    phi_1520_ = _e714;
-                }
-                let _e726 = phi_1520_;
-                let _e727 = bitcast<u32>(_e723);
-                let _e729 = (_e684 + 1i);
-                let _e730 = (_e693 + 1i);
-                if (_e729 > 0i) {
-                    phi_1529_ = _e729;
-                } else {
-                    phi_1529_ = 0i;
-                }
-                let _e733 = phi_1529_;
+                let _e719 = phi_1509_;
+                let _e720 = (_e666 - _e693);
+                let _e721 = (_e667 - _e719);
+                let _e730 = select(0i, select(select(i32(_e693), i32(-2147483648), (_e693 < bitcast<f32>(3472883712u))), 2147483647i, (_e693 > bitcast<f32>(1325400063u))), (_e693 == _e693));
+                let _e739 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < bitcast<f32>(3472883712u))), 2147483647i, (_e719 > bitcast<f32>(1325400063u))), (_e719 == _e719));
+                let _e750 = p.member.test;
+                let _e751 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e750);
+                let _e753 = p.member.map_size;
+                let _e755 = local_4;
+                local_1 = _e751;
+                let _e758 = ((_e755.level * _e753) * _e753);
+                let _e760 = (bitcast<i32>(_e753) - 1i);
                 if (_e730 > 0i) {
-                    phi_1534_ = _e730;
+                    phi_1558_ = _e730;
                 } else {
-                    phi_1534_ = 0i;
+                    phi_1558_ = 0i;
                 }
-                let _e736 = phi_1534_;
-                if (_e733 < _e714) {
-                    phi_1539_ = _e733;
+                let _e763 = phi_1558_;
+                if (_e739 > 0i) {
+                    phi_1563_ = _e739;
                 } else {
-                    phi_1539_ = _e714;
+                    phi_1563_ = 0i;
                 }
-                let _e739 = phi_1539_;
-                if (_e736 < _e714) {
-                    phi_1544_ = _e736;
+                let _e766 = phi_1563_;
+                if (_e763 < _e760) {
+                    phi_1568_ = _e763;
                 } else {
-                    phi_1544_ = _e714;
+                    phi_1568_ = _e760;
                 }
-                let _e742 = phi_1544_;
-                let _e743 = bitcast<u32>(_e739);
-                let _e745 = (bitcast<u32>(_e726) * _e707);
-                let _e746 = (bitcast<u32>(_e742) * _e707);
-                let _e751 = ((_e745 + _e727) + _e712);
-                let _e752 = ((_e745 + _e743) + _e712);
-                let _e753 = ((_e746 + _e727) + _e712);
-                let _e754 = ((_e746 + _e743) + _e712);
-                if (_e751 < _e52) {
+                let _e769 = phi_1568_;
+                if (_e766 < _e760) {
+                    phi_1573_ = _e766;
+                } else {
+                    phi_1573_ = _e760;
+                }
+                let _e772 = phi_1573_;
+                let _e773 = bitcast<u32>(_e769);
+                let _e775 = (_e730 + 1i);
+                let _e776 = (_e739 + 1i);
+                if (_e775 > 0i) {
+                    phi_1582_ = _e775;
+                } else {
+                    phi_1582_ = 0i;
+                }
+                let _e779 = phi_1582_;
+                if (_e776 > 0i) {
+                    phi_1587_ = _e776;
+                } else {
+                    phi_1587_ = 0i;
+                }
+                let _e782 = phi_1587_;
+                if (_e779 < _e760) {
+                    phi_1592_ = _e779;
+                } else {
+                    phi_1592_ = _e760;
+                }
+                let _e785 = phi_1592_;
+                if (_e782 < _e760) {
+                    phi_1597_ = _e782;
+                } else {
+                    phi_1597_ = _e760;
+                }
+                let _e788 = phi_1597_;
+                let _e789 = bitcast<u32>(_e785);
+                let _e791 = (bitcast<u32>(_e772) * _e753);
+                let _e792 = (bitcast<u32>(_e788) * _e753);
+                let _e797 = ((_e791 + _e773) + _e758);
+                let _e798 = ((_e791 + _e789) + _e758);
+                let _e799 = ((_e792 + _e773) + _e758);
+                let _e800 = ((_e792 + _e789) + _e758);
+                if (_e797 < _e53) {
                 } else {
                     return;
                 }
-                let _e758 = map.member[(0u + _e751)];
-                if (_e752 < _e52) {
+                let _e804 = map.member[(0u + _e797)];
+                if (_e798 < _e53) {
                 } else {
                     return;
                 }
-                let _e762 = map.member[(0u + _e752)];
-                if (_e753 < _e52) {
+                let _e808 = map.member[(0u + _e798)];
+                if (_e799 < _e53) {
                 } else {
                     return;
                 }
-                let _e766 = map.member[(0u + _e753)];
-                if (_e754 < _e52) {
+                let _e812 = map.member[(0u + _e799)];
+                if (_e800 < _e53) {
                 } else {
                     return;
                 }
-                let _e770 = map.member[(0u + _e754)];
-                let _e772 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e758, _e762, _e766, _e770), vec4<f32>(((1f - _e674) * (1f - _e675)), (_e674 * (1f - _e675)), ((1f - _e674) * _e675), (_e674 * _e675)), _e610);
-                let _e774 = p.member.epsilon;
-                if (_e772 <= _e774) {
-                    phi_1595_ = true;
+                let _e816 = map.member[(0u + _e800)];
+                let _e818 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e804, _e808, _e812, _e816), vec4<f32>(((1f - _e720) * (1f - _e721)), (_e720 * (1f - _e721)), ((1f - _e720) * _e721), (_e720 * _e721)), _e656);
+                let _e820 = p.member.epsilon;
+                if (_e818 <= _e820) {
+                    phi_1648_ = true;
                 } else {
-                    phi_1595_ = (_e772 >= (1f - _e774));
+                    phi_1648_ = (_e818 >= (1f - _e820));
                 }
-                let _e779 = phi_1595_;
-                if ((bitcast<u32>(_e772) & 2147483647u) > 2139095040u) {
-                    phi_1603_ = true;
+                let _e825 = phi_1648_;
+                if ((bitcast<u32>(_e818) & 2147483647u) > 2139095040u) {
+                    phi_1656_ = true;
                 } else {
-                    phi_1603_ = !(_e779);
+                    phi_1656_ = !(_e825);
                 }
-                let _e785 = phi_1603_;
-                if _e785 {
-                    if (_e772 > 0f) {
-                        if (_e772 < 1f) {
-                            phi_1615_ = false;
+                let _e831 = phi_1656_;
+                if _e831 {
+                    if (_e818 > 0f) {
+                        if (_e818 < 1f) {
+                            phi_1668_ = false;
                         } else {
-                            phi_1615_ = true;
+                            phi_1668_ = true;
                         }
-                        let _e789 = phi_1615_;
-                        phi_1616_ = _e789;
+                        let _e835 = phi_1668_;
+                        phi_1669_ = _e835;
                     } else {
-                        phi_1616_ = true;
+                        phi_1669_ = true;
                     }
-                    let _e791 = phi_1616_;
-                    if _e791 {
-                        phi_1620_ = 0.5f;
+                    let _e837 = phi_1669_;
+                    if _e837 {
+                        phi_1673_ = 0.5f;
                     } else {
-                        phi_1620_ = _e772;
+                        phi_1673_ = _e818;
                     }
-                    let _e793 = phi_1620_;
-                    phi_1628_ = evaluate_Verdict(_e793, true);
+                    let _e839 = phi_1673_;
+                    phi_1681_ = evaluate_Verdict(_e839, true);
                 } else {
-                    if (_e772 > 0.5f) {
-                        phi_1626_ = 1f;
+                    if (_e818 > 0.5f) {
+                        phi_1679_ = 1f;
                     } else {
-                        phi_1626_ = 0f;
+                        phi_1679_ = 0f;
                     }
-                    let _e797 = phi_1626_;
-                    phi_1628_ = evaluate_Verdict(_e797, false);
+                    let _e843 = phi_1679_;
+                    phi_1681_ = evaluate_Verdict(_e843, false);
                 }
-                let _e800 = phi_1628_;
-                phi_1633_ = evaluate_Verdict(_e800.visibility, _e800.is_doubted);
+                let _e846 = phi_1681_;
+                phi_1686_ = evaluate_Verdict(_e846.visibility, _e846.is_doubted);
             } else {
-                phi_1633_ = evaluate_Verdict(0.5f, true);
+                phi_1686_ = evaluate_Verdict(0.5f, true);
             }
-            let _e806 = phi_1633_;
-            phi_1634_ = _e806;
+            let _e852 = phi_1686_;
+            phi_1687_ = _e852;
         }
-        let _e808 = phi_1634_;
-        visibility.member[_e63.first_primitive] = _e808.visibility;
-        phi_1638_ = _e808.is_doubted;
-        phi_1639_ = _e63.first_primitive;
+        let _e854 = phi_1687_;
+        visibility.member[_e64.first_primitive] = _e854.visibility;
+        phi_1691_ = _e854.is_doubted;
+        phi_1692_ = _e64.first_primitive;
     } else {
-        phi_1638_ = false;
-        phi_1639_ = 0u;
+        phi_1691_ = false;
+        phi_1692_ = 0u;
     }
-    let _e813 = phi_1638_;
-    let _e815 = phi_1639_;
-    if (_e47 == 0u) {
+    let _e859 = phi_1691_;
+    let _e861 = phi_1692_;
+    if (_e48 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e813 {
-        let _e819 = atomicAdd((&shared_[0u]), 1u);
-        phi_1650_ = _e819;
+    if _e859 {
+        let _e865 = atomicAdd((&shared_[0u]), 1u);
+        phi_1703_ = _e865;
     } else {
-        phi_1650_ = 0u;
+        phi_1703_ = 0u;
     }
-    let _e821 = phi_1650_;
+    let _e867 = phi_1703_;
     workgroupBarrier();
-    if (_e47 == 0u) {
-        let _e825 = atomicLoad((&shared_[0u]));
-        let _e826 = atomicAdd((&list.member[3u]), _e825);
-        atomicStore((&shared_[1u]), _e826);
+    if (_e48 == 0u) {
+        let _e871 = atomicLoad((&shared_[0u]));
+        let _e872 = atomicAdd((&list.member[3u]), _e871);
+        atomicStore((&shared_[1u]), _e872);
     }
     workgroupBarrier();
-    if _e813 {
-        let _e829 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e829) + _e821)]), _e815);
+    if _e859 {
+        let _e875 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e875) + _e867)]), _e861);
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -34,7 +43,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<vec4<f32>>,
 }
 
@@ -47,18 +56,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: abi_ShadowParams,
 }
 
@@ -66,7 +75,7 @@ struct lt_math_OneLevel {
     projection: lt_math_LightProjection,
 }
 
-struct type_49 {
+struct type_51 {
     member: array<atomic<u32>>,
 }
 
@@ -77,45 +86,45 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_41;
+var<uniform> p: type_43;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_49;
+var<storage, read_write> list: type_51;
 @group(0) @binding(2) 
-var<storage> map: type_37;
+var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_150_: lt_bvh_traverse_Tree;
-    var phi_151_: bool;
-    var phi_152_: lt_bvh_traverse_Tree;
-    var phi_153_: bool;
-    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_153_: lt_bvh_traverse_Tree;
+    var phi_154_: bool;
+    var phi_155_: lt_bvh_traverse_Tree;
+    var phi_156_: bool;
+    var phi_161_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_150_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_151_ = false;
+            phi_153_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_154_ = false;
         } else {
-            phi_150_ = lt_bvh_traverse_Tree();
-            phi_151_ = true;
+            phi_153_ = lt_bvh_traverse_Tree();
+            phi_154_ = true;
         }
-        let _e51 = phi_150_;
-        let _e53 = phi_151_;
-        phi_152_ = _e51;
-        phi_153_ = _e53;
+        let _e51 = phi_153_;
+        let _e53 = phi_154_;
+        phi_155_ = _e51;
+        phi_156_ = _e53;
     } else {
-        phi_152_ = lt_bvh_traverse_Tree();
-        phi_153_ = true;
+        phi_155_ = lt_bvh_traverse_Tree();
+        phi_156_ = true;
     }
-    let _e55 = phi_152_;
-    let _e57 = phi_153_;
+    let _e55 = phi_155_;
+    let _e57 = phi_156_;
     if _e57 {
-        phi_158_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_161_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_158_ = _e55;
+        phi_161_ = _e55;
     }
-    let _e62 = phi_158_;
+    let _e62 = phi_161_;
     return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
 }
 
@@ -124,28 +133,28 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_207_: f32;
-    var phi_208_: f32;
-    var phi_209_: f32;
-    var phi_215_: bool;
-    var phi_237_: f32;
-    var phi_238_: f32;
-    var phi_239_: f32;
+    var phi_210_: f32;
+    var phi_211_: f32;
+    var phi_212_: f32;
+    var phi_218_: bool;
     var phi_240_: f32;
-    var phi_241_: bool;
+    var phi_241_: f32;
     var phi_242_: f32;
-    var phi_243_: bool;
-    var phi_281_: vec2<f32>;
-    var phi_315_: f32;
-    var phi_316_: f32;
-    var phi_317_: f32;
-    var phi_346_: f32;
-    var phi_347_: f32;
-    var phi_348_: f32;
-    var phi_352_: f32;
-    var phi_353_: f32;
-    var phi_354_: f32;
+    var phi_243_: f32;
+    var phi_244_: bool;
+    var phi_245_: f32;
+    var phi_246_: bool;
+    var phi_284_: vec2<f32>;
+    var phi_318_: f32;
+    var phi_319_: f32;
+    var phi_320_: f32;
+    var phi_349_: f32;
+    var phi_350_: f32;
+    var phi_351_: f32;
     var phi_355_: f32;
+    var phi_356_: f32;
+    var phi_357_: f32;
+    var phi_358_: f32;
 
     let _e41 = (*param_4);
     let _e42 = (1f - _e41);
@@ -156,65 +165,65 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     let _e57 = (_e53 - (_e52 * _e52));
     let _e59 = (((param_5.z * _e42) + _e51) - (_e52 * _e53));
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_209_ = param_6;
+        phi_212_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_208_ = 0f;
+            phi_211_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_207_ = 1f;
+                phi_210_ = 1f;
             } else {
-                phi_207_ = param_6;
+                phi_210_ = param_6;
             }
-            let _e71 = phi_207_;
-            phi_208_ = _e71;
+            let _e71 = phi_210_;
+            phi_211_ = _e71;
         }
-        let _e73 = phi_208_;
-        phi_209_ = _e73;
+        let _e73 = phi_211_;
+        phi_212_ = _e73;
     }
-    let _e75 = phi_209_;
+    let _e75 = phi_212_;
     if (_e52 == _e55) {
-        phi_215_ = (_e52 > 0.5f);
+        phi_218_ = (_e52 > 0.5f);
     } else {
-        phi_215_ = false;
+        phi_218_ = false;
     }
-    let _e79 = phi_215_;
+    let _e79 = phi_218_;
     if _e79 {
         if (_e75 > 0f) {
             if ((bitcast<u32>(_e52) & 2147483647u) > 2139095040u) {
-                phi_239_ = _e52;
+                phi_242_ = _e52;
             } else {
                 if (_e52 < 0f) {
-                    phi_238_ = 0f;
+                    phi_241_ = 0f;
                 } else {
                     if (_e52 > 1f) {
-                        phi_237_ = 1f;
+                        phi_240_ = 1f;
                     } else {
-                        phi_237_ = _e52;
+                        phi_240_ = _e52;
                     }
-                    let _e87 = phi_237_;
-                    phi_238_ = _e87;
+                    let _e87 = phi_240_;
+                    phi_241_ = _e87;
                 }
-                let _e89 = phi_238_;
-                phi_239_ = _e89;
+                let _e89 = phi_241_;
+                phi_242_ = _e89;
             }
-            let _e91 = phi_239_;
-            phi_240_ = _e91;
-            phi_241_ = false;
+            let _e91 = phi_242_;
+            phi_243_ = _e91;
+            phi_244_ = false;
         } else {
-            phi_240_ = f32();
-            phi_241_ = true;
+            phi_243_ = f32();
+            phi_244_ = true;
         }
-        let _e93 = phi_240_;
-        let _e95 = phi_241_;
-        phi_242_ = _e93;
-        phi_243_ = _e95;
+        let _e93 = phi_243_;
+        let _e95 = phi_244_;
+        phi_245_ = _e93;
+        phi_246_ = _e95;
     } else {
-        phi_242_ = f32();
-        phi_243_ = true;
+        phi_245_ = f32();
+        phi_246_ = true;
     }
-    let _e97 = phi_242_;
-    let _e99 = phi_243_;
+    let _e97 = phi_245_;
+    let _e99 = phi_246_;
     if _e99 {
         let _e100 = (_e59 / _e57);
         let _e101 = (_e75 - _e52);
@@ -224,128 +233,134 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
         let _e119 = ((_e116 * _e116) - (((1f - (_e110 * _e52)) - (_e107 * _e53)) / _e107));
         if (_e119 >= 0f) {
             let _e121 = sqrt(_e119);
-            phi_281_ = vec2<f32>((-(_e116) - _e121), (-(_e116) + _e121));
+            phi_284_ = vec2<f32>((-(_e116) - _e121), (-(_e116) + _e121));
         } else {
-            phi_281_ = vec2(bitcast<f32>((bitcast<u32>(_e119) | 2143289344u)));
+            phi_284_ = vec2(bitcast<f32>((bitcast<u32>(_e119) | 2143289344u)));
         }
-        let _e132 = phi_281_;
+        let _e132 = phi_284_;
         if (_e75 <= _e132.x) {
-            phi_354_ = 1f;
+            phi_357_ = 1f;
         } else {
             if (_e75 > _e132.y) {
                 let _e145 = (((_e53 - (_e52 * (_e132.x + _e132.y))) + (_e132.x * _e132.y)) / ((_e75 - _e132.x) * (_e75 - _e132.y)));
                 if ((bitcast<u32>(_e145) & 2147483647u) > 2139095040u) {
-                    phi_317_ = _e145;
+                    phi_320_ = _e145;
                 } else {
                     if (_e145 < 0f) {
-                        phi_316_ = 0f;
+                        phi_319_ = 0f;
                     } else {
                         if (_e145 > 1f) {
-                            phi_315_ = 1f;
+                            phi_318_ = 1f;
                         } else {
-                            phi_315_ = _e145;
+                            phi_318_ = _e145;
                         }
-                        let _e152 = phi_315_;
-                        phi_316_ = _e152;
+                        let _e152 = phi_318_;
+                        phi_319_ = _e152;
                     }
-                    let _e154 = phi_316_;
-                    phi_317_ = _e154;
+                    let _e154 = phi_319_;
+                    phi_320_ = _e154;
                 }
-                let _e156 = phi_317_;
-                phi_353_ = _e156;
+                let _e156 = phi_320_;
+                phi_356_ = _e156;
             } else {
                 if (_e75 > _e132.x) {
                     let _e167 = (1f - (((_e53 - (_e52 * (_e75 + _e132.y))) + (_e75 * _e132.y)) / ((_e132.x - _e75) * (_e132.x - _e132.y))));
                     if ((bitcast<u32>(_e167) & 2147483647u) > 2139095040u) {
-                        phi_348_ = _e167;
+                        phi_351_ = _e167;
                     } else {
                         if (_e167 < 0f) {
-                            phi_347_ = 0f;
+                            phi_350_ = 0f;
                         } else {
                             if (_e167 > 1f) {
-                                phi_346_ = 1f;
+                                phi_349_ = 1f;
                             } else {
-                                phi_346_ = _e167;
+                                phi_349_ = _e167;
                             }
-                            let _e174 = phi_346_;
-                            phi_347_ = _e174;
+                            let _e174 = phi_349_;
+                            phi_350_ = _e174;
                         }
-                        let _e176 = phi_347_;
-                        phi_348_ = _e176;
+                        let _e176 = phi_350_;
+                        phi_351_ = _e176;
                     }
-                    let _e178 = phi_348_;
-                    phi_352_ = _e178;
+                    let _e178 = phi_351_;
+                    phi_355_ = _e178;
                 } else {
-                    phi_352_ = bitcast<f32>((bitcast<u32>(_e132.x) | 2143289344u));
+                    phi_355_ = bitcast<f32>((bitcast<u32>(_e132.x) | 2143289344u));
                 }
-                let _e183 = phi_352_;
-                phi_353_ = _e183;
+                let _e183 = phi_355_;
+                phi_356_ = _e183;
             }
-            let _e185 = phi_353_;
-            phi_354_ = _e185;
+            let _e185 = phi_356_;
+            phi_357_ = _e185;
         }
-        let _e187 = phi_354_;
-        phi_355_ = _e187;
+        let _e187 = phi_357_;
+        phi_358_ = _e187;
     } else {
-        phi_355_ = _e97;
+        phi_358_ = _e97;
     }
-    let _e189 = phi_355_;
+    let _e189 = phi_358_;
     return _e189;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_407_: bool;
-    var phi_408_: bool;
     var phi_409_: bool;
     var phi_410_: bool;
-    var phi_414_: bool;
-    var phi_458_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_536_: bool;
-    var phi_545_: bool;
-    var phi_554_: bool;
-    var phi_555_: bool;
-    var phi_556_: bool;
-    var phi_557_: bool;
-    var phi_558_: bool;
-    var phi_559_: bool;
-    var phi_560_: bool;
-    var phi_564_: bool;
-    var phi_654_: f32;
-    var phi_657_: f32;
-    var phi_686_: f32;
-    var phi_691_: f32;
-    var phi_692_: bool;
-    var phi_693_: f32;
-    var phi_694_: bool;
-    var phi_698_: f32;
-    var phi_718_: f32;
-    var phi_723_: f32;
-    var phi_724_: bool;
-    var phi_725_: f32;
-    var phi_726_: bool;
-    var phi_730_: f32;
-    var phi_778_: i32;
-    var phi_783_: i32;
-    var phi_788_: i32;
-    var phi_793_: i32;
-    var phi_802_: i32;
-    var phi_807_: i32;
-    var phi_812_: i32;
-    var phi_817_: i32;
-    var phi_912_: bool;
-    var phi_920_: bool;
-    var phi_932_: bool;
-    var phi_933_: bool;
-    var phi_937_: f32;
-    var phi_943_: f32;
-    var phi_945_: evaluate_Verdict;
-    var phi_950_: evaluate_Verdict;
-    var phi_951_: evaluate_Verdict;
-    var phi_955_: bool;
-    var phi_956_: u32;
-    var phi_967_: u32;
+    var phi_411_: bool;
+    var phi_412_: bool;
+    var phi_416_: bool;
+    var phi_486_: bool;
+    var phi_487_: bool;
+    var phi_498_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_499_: bool;
+    var phi_500_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_501_: bool;
+    var phi_508_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_512_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_586_: bool;
+    var phi_595_: bool;
+    var phi_604_: bool;
+    var phi_605_: bool;
+    var phi_606_: bool;
+    var phi_607_: bool;
+    var phi_608_: bool;
+    var phi_609_: bool;
+    var phi_610_: bool;
+    var phi_614_: bool;
+    var phi_704_: f32;
+    var phi_707_: f32;
+    var phi_736_: f32;
+    var phi_741_: f32;
+    var phi_742_: bool;
+    var phi_743_: f32;
+    var phi_744_: bool;
+    var phi_748_: f32;
+    var phi_768_: f32;
+    var phi_773_: f32;
+    var phi_774_: bool;
+    var phi_775_: f32;
+    var phi_776_: bool;
+    var phi_780_: f32;
+    var phi_828_: i32;
+    var phi_833_: i32;
+    var phi_838_: i32;
+    var phi_843_: i32;
+    var phi_852_: i32;
+    var phi_857_: i32;
+    var phi_862_: i32;
+    var phi_867_: i32;
+    var phi_962_: bool;
+    var phi_970_: bool;
+    var phi_982_: bool;
+    var phi_983_: bool;
+    var phi_987_: f32;
+    var phi_993_: f32;
+    var phi_995_: evaluate_Verdict;
+    var phi_1000_: evaluate_Verdict;
+    var phi_1001_: evaluate_Verdict;
+    var phi_1005_: bool;
+    var phi_1006_: u32;
+    var phi_1017_: u32;
 
     let _e39 = id_1;
     let _e40 = local_2;
@@ -356,373 +371,412 @@ fn function_() {
     if (bitcast<i32>(_e53.root) != 0i) {
         let _e60 = p.member.projection;
         let _e61 = lt_math_OneLevel(_e60);
-        let _e63 = p.member.light;
-        let _e66 = samples.member[_e53.first_primitive].normal[0u];
-        let _e68 = global[0u];
-        if (_e66 == _e68) {
-            let _e71 = samples.member[_e53.first_primitive].normal[1u];
-            let _e73 = global[1u];
-            if (_e71 == _e73) {
-                let _e76 = samples.member[_e53.first_primitive].normal[2u];
-                let _e78 = global[2u];
-                phi_407_ = (_e76 == _e78);
-                phi_408_ = false;
+        let _e65 = samples.member[_e53.first_primitive].normal[0u];
+        let _e67 = global[0u];
+        if (_e65 == _e67) {
+            let _e70 = samples.member[_e53.first_primitive].normal[1u];
+            let _e72 = global[1u];
+            if (_e70 == _e72) {
+                let _e75 = samples.member[_e53.first_primitive].normal[2u];
+                let _e77 = global[2u];
+                phi_409_ = (_e75 == _e77);
+                phi_410_ = false;
             } else {
-                phi_407_ = bool();
-                phi_408_ = true;
+                phi_409_ = bool();
+                phi_410_ = true;
             }
-            let _e81 = phi_407_;
-            let _e83 = phi_408_;
-            phi_409_ = _e81;
-            phi_410_ = _e83;
+            let _e80 = phi_409_;
+            let _e82 = phi_410_;
+            phi_411_ = _e80;
+            phi_412_ = _e82;
         } else {
-            phi_409_ = bool();
-            phi_410_ = true;
+            phi_411_ = bool();
+            phi_412_ = true;
         }
-        let _e85 = phi_409_;
-        let _e87 = phi_410_;
-        if _e87 {
-            phi_414_ = false;
+        let _e84 = phi_411_;
+        let _e86 = phi_412_;
+        if _e86 {
+            phi_416_ = false;
         } else {
-            phi_414_ = _e85;
+            phi_416_ = _e84;
         }
-        let _e89 = phi_414_;
-        if !(_e89) {
-            let _e92 = samples.member[_e53.first_primitive].normal;
-            let _e94 = samples.member[_e53.first_primitive].position;
-            if ((((_e92.x * (_e63.x - (_e94.x * _e63.w))) + (_e92.y * (_e63.y - (_e94.y * _e63.w)))) + (_e92.z * (_e63.z - (_e94.z * _e63.w)))) > 0f) {
-                let _e118 = samples.member[_e53.first_primitive].flags;
-                let _e126 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e132 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e126.unnamed.visibility, false), _e126.unnamed_1);
-                phi_458_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e132.unnamed, ((_e118 & 1u) == 0u));
-            } else {
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e141.unnamed.visibility, false), _e141.unnamed_1);
-                phi_458_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e147.unnamed, true);
-            }
-            let _e152 = phi_458_;
-            phi_462_ = _e152;
-        } else {
-            let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
-            phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
-        }
-        let _e169 = phi_462_;
-        if _e169.unnamed_1 {
-            phi_951_ = evaluate_Verdict(_e169.unnamed.visibility, _e169.unnamed.is_doubted);
-        } else {
-            let _e177 = samples.member[_e53.first_primitive].position;
-            let _e195 = ((((_e61.projection.row_w.x * _e177.x) + (_e61.projection.row_w.y * _e177.y)) + (_e61.projection.row_w.z * _e177.z)) + (_e61.projection.row_w.w * 1f));
-            let _e209 = (((((_e61.projection.row_x.x * _e177.x) + (_e61.projection.row_x.y * _e177.y)) + (_e61.projection.row_x.z * _e177.z)) + (_e61.projection.row_x.w * 1f)) / _e195);
-            let _e223 = (((((_e61.projection.row_y.x * _e177.x) + (_e61.projection.row_y.y * _e177.y)) + (_e61.projection.row_y.z * _e177.z)) + (_e61.projection.row_y.w * 1f)) / _e195);
-            let _e236 = ((((_e61.projection.row_z.x * _e177.x) + (_e61.projection.row_z.y * _e177.y)) + (_e61.projection.row_z.z * _e177.z)) + (_e61.projection.row_z.w * 1f));
-            if (_e195 > 0f) {
-                if (_e209 >= 0f) {
-                    phi_536_ = (_e209 <= 1f);
+        let _e88 = phi_416_;
+        if !(_e88) {
+            let _e91 = samples.member[_e53.first_primitive].position;
+            let _e93 = p.member.light.place;
+            let _e99 = p.member.light.place[3u];
+            let _e106 = (_e93.x - (_e91.x * _e99));
+            let _e107 = (_e93.y - (_e91.y * _e99));
+            let _e108 = (_e93.z - (_e91.z * _e99));
+            let _e110 = samples.member[_e53.first_primitive].normal;
+            if ((((_e110.x * _e106) + (_e110.y * _e107)) + (_e110.z * _e108)) > 0f) {
+                let _e124 = (((_e106 * _e106) + (_e107 * _e107)) + (_e108 * _e108));
+                let _e126 = p.member.light.axis;
+                let _e138 = p.member.light.place[3u];
+                if (_e138 == 0f) {
+                    phi_487_ = true;
                 } else {
-                    phi_536_ = false;
-                }
-                let _e241 = phi_536_;
-                if _e241 {
-                    if (_e223 >= 0f) {
-                        phi_545_ = (_e223 <= 1f);
+                    let _e141 = p.member.light.range_squared;
+                    if (_e124 <= _e141) {
+                        let _e144 = p.member.light.cos_outer;
+                        phi_486_ = (-((((_e106 * _e126.x) + (_e107 * _e126.y)) + (_e108 * _e126.z))) >= (_e144 * sqrt(_e124)));
                     } else {
-                        phi_545_ = false;
+                        phi_486_ = false;
                     }
-                    let _e245 = phi_545_;
-                    if _e245 {
-                        if (_e236 >= 0f) {
-                            phi_554_ = (_e236 <= 1f);
+                    let _e149 = phi_486_;
+                    phi_487_ = _e149;
+                }
+                let _e151 = phi_487_;
+                if _e151 {
+                    let _e153 = samples.member[_e53.first_primitive].flags;
+                    let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
+                    phi_498_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, ((_e153 & 1u) == 0u));
+                    phi_499_ = false;
+                } else {
+                    phi_498_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_499_ = true;
+                }
+                let _e172 = phi_498_;
+                let _e174 = phi_499_;
+                phi_500_ = _e172;
+                phi_501_ = _e174;
+            } else {
+                phi_500_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_501_ = true;
+            }
+            let _e176 = phi_500_;
+            let _e178 = phi_501_;
+            if _e178 {
+                let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e184.unnamed.visibility, false), _e184.unnamed_1);
+                phi_508_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e190.unnamed, true);
+            } else {
+                phi_508_ = _e176;
+            }
+            let _e195 = phi_508_;
+            phi_512_ = _e195;
+        } else {
+            let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e201.unnamed.visibility, false), _e201.unnamed_1);
+            phi_512_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e207.unnamed, true);
+        }
+        let _e212 = phi_512_;
+        if _e212.unnamed_1 {
+            phi_1001_ = evaluate_Verdict(_e212.unnamed.visibility, _e212.unnamed.is_doubted);
+        } else {
+            let _e220 = samples.member[_e53.first_primitive].position;
+            let _e238 = ((((_e61.projection.row_w.x * _e220.x) + (_e61.projection.row_w.y * _e220.y)) + (_e61.projection.row_w.z * _e220.z)) + (_e61.projection.row_w.w * 1f));
+            let _e252 = (((((_e61.projection.row_x.x * _e220.x) + (_e61.projection.row_x.y * _e220.y)) + (_e61.projection.row_x.z * _e220.z)) + (_e61.projection.row_x.w * 1f)) / _e238);
+            let _e266 = (((((_e61.projection.row_y.x * _e220.x) + (_e61.projection.row_y.y * _e220.y)) + (_e61.projection.row_y.z * _e220.z)) + (_e61.projection.row_y.w * 1f)) / _e238);
+            let _e279 = ((((_e61.projection.row_z.x * _e220.x) + (_e61.projection.row_z.y * _e220.y)) + (_e61.projection.row_z.z * _e220.z)) + (_e61.projection.row_z.w * 1f));
+            if (_e238 > 0f) {
+                if (_e252 >= 0f) {
+                    phi_586_ = (_e252 <= 1f);
+                } else {
+                    phi_586_ = false;
+                }
+                let _e284 = phi_586_;
+                if _e284 {
+                    if (_e266 >= 0f) {
+                        phi_595_ = (_e266 <= 1f);
+                    } else {
+                        phi_595_ = false;
+                    }
+                    let _e288 = phi_595_;
+                    if _e288 {
+                        if (_e279 >= 0f) {
+                            phi_604_ = (_e279 <= 1f);
                         } else {
-                            phi_554_ = false;
+                            phi_604_ = false;
                         }
-                        let _e249 = phi_554_;
-                        phi_555_ = _e249;
-                        phi_556_ = false;
+                        let _e292 = phi_604_;
+                        phi_605_ = _e292;
+                        phi_606_ = false;
                     } else {
-                        phi_555_ = bool();
-                        phi_556_ = true;
+                        phi_605_ = bool();
+                        phi_606_ = true;
                     }
-                    let _e251 = phi_555_;
-                    let _e253 = phi_556_;
-                    phi_557_ = _e251;
-                    phi_558_ = _e253;
+                    let _e294 = phi_605_;
+                    let _e296 = phi_606_;
+                    phi_607_ = _e294;
+                    phi_608_ = _e296;
                 } else {
-                    phi_557_ = bool();
-                    phi_558_ = true;
+                    phi_607_ = bool();
+                    phi_608_ = true;
                 }
-                let _e255 = phi_557_;
-                let _e257 = phi_558_;
-                phi_559_ = _e255;
-                phi_560_ = _e257;
+                let _e298 = phi_607_;
+                let _e300 = phi_608_;
+                phi_609_ = _e298;
+                phi_610_ = _e300;
             } else {
-                phi_559_ = bool();
-                phi_560_ = true;
+                phi_609_ = bool();
+                phi_610_ = true;
             }
-            let _e259 = phi_559_;
-            let _e261 = phi_560_;
-            if _e261 {
-                phi_564_ = false;
+            let _e302 = phi_609_;
+            let _e304 = phi_610_;
+            if _e304 {
+                phi_614_ = false;
             } else {
-                phi_564_ = _e259;
+                phi_614_ = _e302;
             }
-            let _e263 = phi_564_;
-            if _e263 {
+            let _e306 = phi_614_;
+            if _e306 {
                 if (0f > 0f) {
-                    let _e266 = samples.member[_e53.first_primitive].normal;
-                    let _e268 = p.member.map_size;
-                    let _e338 = ((abs(((((_e60.row_x.x * _e266.x) + (_e60.row_x.y * _e266.y)) + (_e60.row_x.z * _e266.z)) / (((_e60.row_x.x * _e60.row_x.x) + (_e60.row_x.y * _e60.row_x.y)) + (_e60.row_x.z * _e60.row_x.z)))) + abs(((((_e60.row_y.x * _e266.x) + (_e60.row_y.y * _e266.y)) + (_e60.row_y.z * _e266.z)) / (((_e60.row_y.x * _e60.row_y.x) + (_e60.row_y.y * _e60.row_y.y)) + (_e60.row_y.z * _e60.row_y.z))))) / (abs(((((_e60.row_z.x * _e266.x) + (_e60.row_z.y * _e266.y)) + (_e60.row_z.z * _e266.z)) / (((_e60.row_z.x * _e60.row_z.x) + (_e60.row_z.y * _e60.row_z.y)) + (_e60.row_z.z * _e60.row_z.z)))) * f32(_e268)));
-                    if (_e338 < 0.002f) {
-                        phi_654_ = _e338;
+                    let _e309 = samples.member[_e53.first_primitive].normal;
+                    let _e311 = p.member.map_size;
+                    let _e381 = ((abs(((((_e60.row_x.x * _e309.x) + (_e60.row_x.y * _e309.y)) + (_e60.row_x.z * _e309.z)) / (((_e60.row_x.x * _e60.row_x.x) + (_e60.row_x.y * _e60.row_x.y)) + (_e60.row_x.z * _e60.row_x.z)))) + abs(((((_e60.row_y.x * _e309.x) + (_e60.row_y.y * _e309.y)) + (_e60.row_y.z * _e309.z)) / (((_e60.row_y.x * _e60.row_y.x) + (_e60.row_y.y * _e60.row_y.y)) + (_e60.row_y.z * _e60.row_y.z))))) / (abs(((((_e60.row_z.x * _e309.x) + (_e60.row_z.y * _e309.y)) + (_e60.row_z.z * _e309.z)) / (((_e60.row_z.x * _e60.row_z.x) + (_e60.row_z.y * _e60.row_z.y)) + (_e60.row_z.z * _e60.row_z.z)))) * f32(_e311)));
+                    if (_e381 < 0.002f) {
+                        phi_704_ = _e381;
                     } else {
-                        phi_654_ = 0.002f;
+                        phi_704_ = 0.002f;
                     }
-                    let _e341 = phi_654_;
-                    phi_657_ = (_e236 - (0f * _e341));
+                    let _e384 = phi_704_;
+                    phi_707_ = (_e279 - (0f * _e384));
                 } else {
-                    phi_657_ = _e236;
+                    phi_707_ = _e279;
                 }
-                let _e345 = phi_657_;
-                let _e347 = p.member.map_size;
-                let _e348 = f32(_e347);
-                let _e351 = ((_e209 * _e348) - 0.5f);
-                let _e352 = ((_e223 * _e348) - 0.5f);
-                if (_e351 > -8388608f) {
-                    let _e364 = f32(select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < bitcast<f32>(3472883712u))), 2147483647i, (_e351 > bitcast<f32>(1325400063u))), (_e351 == _e351)));
-                    if (_e364 > _e351) {
-                        phi_686_ = 1f;
+                let _e388 = phi_707_;
+                let _e390 = p.member.map_size;
+                let _e391 = f32(_e390);
+                let _e394 = ((_e252 * _e391) - 0.5f);
+                let _e395 = ((_e266 * _e391) - 0.5f);
+                if (_e394 > -8388608f) {
+                    let _e407 = f32(select(0i, select(select(i32(_e394), i32(-2147483648), (_e394 < bitcast<f32>(3472883712u))), 2147483647i, (_e394 > bitcast<f32>(1325400063u))), (_e394 == _e394)));
+                    if (_e407 > _e394) {
+                        phi_736_ = 1f;
                     } else {
-                        phi_686_ = 0f;
+                        phi_736_ = 0f;
                     }
-                    let _e367 = phi_686_;
-                    if (_e351 < 8388608f) {
-                        phi_691_ = (_e364 - _e367);
-                        phi_692_ = false;
+                    let _e410 = phi_736_;
+                    if (_e394 < 8388608f) {
+                        phi_741_ = (_e407 - _e410);
+                        phi_742_ = false;
                     } else {
-                        phi_691_ = f32();
-                        phi_692_ = true;
+                        phi_741_ = f32();
+                        phi_742_ = true;
                     }
-                    let _e370 = phi_691_;
-                    let _e372 = phi_692_;
-                    phi_693_ = _e370;
-                    phi_694_ = _e372;
+                    let _e413 = phi_741_;
+                    let _e415 = phi_742_;
+                    phi_743_ = _e413;
+                    phi_744_ = _e415;
                 } else {
-                    phi_693_ = f32();
-                    phi_694_ = true;
+                    phi_743_ = f32();
+                    phi_744_ = true;
                 }
-                let _e374 = phi_693_;
-                let _e376 = phi_694_;
-                if _e376 {
-                    phi_698_ = _e351;
+                let _e417 = phi_743_;
+                let _e419 = phi_744_;
+                if _e419 {
+                    phi_748_ = _e394;
                 } else {
-                    phi_698_ = _e374;
+                    phi_748_ = _e417;
                 }
-                let _e378 = phi_698_;
-                if (_e352 > -8388608f) {
-                    let _e390 = f32(select(0i, select(select(i32(_e352), i32(-2147483648), (_e352 < bitcast<f32>(3472883712u))), 2147483647i, (_e352 > bitcast<f32>(1325400063u))), (_e352 == _e352)));
-                    if (_e390 > _e352) {
-                        phi_718_ = 1f;
+                let _e421 = phi_748_;
+                if (_e395 > -8388608f) {
+                    let _e433 = f32(select(0i, select(select(i32(_e395), i32(-2147483648), (_e395 < bitcast<f32>(3472883712u))), 2147483647i, (_e395 > bitcast<f32>(1325400063u))), (_e395 == _e395)));
+                    if (_e433 > _e395) {
+                        phi_768_ = 1f;
                     } else {
-                        phi_718_ = 0f;
+                        phi_768_ = 0f;
                     }
-                    let _e393 = phi_718_;
-                    if (_e352 < 8388608f) {
-                        phi_723_ = (_e390 - _e393);
-                        phi_724_ = false;
+                    let _e436 = phi_768_;
+                    if (_e395 < 8388608f) {
+                        phi_773_ = (_e433 - _e436);
+                        phi_774_ = false;
                     } else {
-                        phi_723_ = f32();
-                        phi_724_ = true;
+                        phi_773_ = f32();
+                        phi_774_ = true;
                     }
-                    let _e396 = phi_723_;
-                    let _e398 = phi_724_;
-                    phi_725_ = _e396;
-                    phi_726_ = _e398;
+                    let _e439 = phi_773_;
+                    let _e441 = phi_774_;
+                    phi_775_ = _e439;
+                    phi_776_ = _e441;
                 } else {
-                    phi_725_ = f32();
-                    phi_726_ = true;
+                    phi_775_ = f32();
+                    phi_776_ = true;
                 }
-                let _e400 = phi_725_;
-                let _e402 = phi_726_;
-                if _e402 {
-                    phi_730_ = _e352;
+                let _e443 = phi_775_;
+                let _e445 = phi_776_;
+                if _e445 {
+                    phi_780_ = _e395;
                 } else {
-                    phi_730_ = _e400;
+                    phi_780_ = _e443;
                 }
-                let _e404 = phi_730_;
-                let _e405 = (_e351 - _e378);
-                let _e406 = (_e352 - _e404);
-                let _e415 = select(0i, select(select(i32(_e378), i32(-2147483648), (_e378 < bitcast<f32>(3472883712u))), 2147483647i, (_e378 > bitcast<f32>(1325400063u))), (_e378 == _e378));
-                let _e424 = select(0i, select(select(i32(_e404), i32(-2147483648), (_e404 < bitcast<f32>(3472883712u))), 2147483647i, (_e404 > bitcast<f32>(1325400063u))), (_e404 == _e404));
-                let _e427 = ((1f - _e405) * (1f - _e406));
-                let _e429 = (_e405 * (1f - _e406));
-                let _e431 = ((1f - _e405) * _e406);
-                let _e432 = (_e405 * _e406);
-                let _e434 = p.member.test;
-                let _e435 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e434);
-                let _e437 = p.member.map_size;
-                local_1 = _e435;
-                let _e439 = ((0u * _e437) * _e437);
-                let _e441 = (bitcast<i32>(_e437) - 1i);
-                if (_e415 > 0i) {
-                    phi_778_ = _e415;
+                let _e447 = phi_780_;
+                let _e448 = (_e394 - _e421);
+                let _e449 = (_e395 - _e447);
+                let _e458 = select(0i, select(select(i32(_e421), i32(-2147483648), (_e421 < bitcast<f32>(3472883712u))), 2147483647i, (_e421 > bitcast<f32>(1325400063u))), (_e421 == _e421));
+                let _e467 = select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447));
+                let _e470 = ((1f - _e448) * (1f - _e449));
+                let _e472 = (_e448 * (1f - _e449));
+                let _e474 = ((1f - _e448) * _e449);
+                let _e475 = (_e448 * _e449);
+                let _e477 = p.member.test;
+                let _e478 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e477);
+                let _e480 = p.member.map_size;
+                local_1 = _e478;
+                let _e482 = ((0u * _e480) * _e480);
+                let _e484 = (bitcast<i32>(_e480) - 1i);
+                if (_e458 > 0i) {
+                    phi_828_ = _e458;
                 } else {
-                    phi_778_ = 0i;
+                    phi_828_ = 0i;
                 }
-                let _e444 = phi_778_;
-                if (_e424 > 0i) {
-                    phi_783_ = _e424;
+                let _e487 = phi_828_;
+                if (_e467 > 0i) {
+                    phi_833_ = _e467;
                 } else {
-                    phi_783_ = 0i;
+                    phi_833_ = 0i;
                 }
-                let _e447 = phi_783_;
-                if (_e444 < _e441) {
-                    phi_788_ = _e444;
+                let _e490 = phi_833_;
+                if (_e487 < _e484) {
+                    phi_838_ = _e487;
                 } else {
-                    phi_788_ = _e441;
+                    phi_838_ = _e484;
                 }
-                let _e450 = phi_788_;
-                if (_e447 < _e441) {
-                    phi_793_ = _e447;
+                let _e493 = phi_838_;
+                if (_e490 < _e484) {
+                    phi_843_ = _e490;
                 } else {
-                    phi_793_ = _e441;
+                    phi_843_ = _e484;
                 }
-                let _e453 = phi_793_;
-                let _e454 = bitcast<u32>(_e450);
-                let _e456 = (_e415 + 1i);
-                let _e457 = (_e424 + 1i);
-                if (_e456 > 0i) {
-                    phi_802_ = _e456;
+                let _e496 = phi_843_;
+                let _e497 = bitcast<u32>(_e493);
+                let _e499 = (_e458 + 1i);
+                let _e500 = (_e467 + 1i);
+                if (_e499 > 0i) {
+                    phi_852_ = _e499;
                 } else {
-                    phi_802_ = 0i;
+                    phi_852_ = 0i;
                 }
-                let _e460 = phi_802_;
-                if (_e457 > 0i) {
-                    phi_807_ = _e457;
+                let _e503 = phi_852_;
+                if (_e500 > 0i) {
+                    phi_857_ = _e500;
                 } else {
-                    phi_807_ = 0i;
+                    phi_857_ = 0i;
                 }
-                let _e463 = phi_807_;
-                if (_e460 < _e441) {
-                    phi_812_ = _e460;
+                let _e506 = phi_857_;
+                if (_e503 < _e484) {
+                    phi_862_ = _e503;
                 } else {
-                    phi_812_ = _e441;
+                    phi_862_ = _e484;
                 }
-                let _e466 = phi_812_;
-                if (_e463 < _e441) {
-                    phi_817_ = _e463;
+                let _e509 = phi_862_;
+                if (_e506 < _e484) {
+                    phi_867_ = _e506;
                 } else {
-                    phi_817_ = _e441;
+                    phi_867_ = _e484;
                 }
-                let _e469 = phi_817_;
-                let _e470 = bitcast<u32>(_e466);
-                let _e472 = (bitcast<u32>(_e453) * _e437);
-                let _e473 = (bitcast<u32>(_e469) * _e437);
-                let _e478 = ((_e472 + _e454) + _e439);
-                let _e479 = ((_e472 + _e470) + _e439);
-                let _e480 = ((_e473 + _e454) + _e439);
-                let _e481 = ((_e473 + _e470) + _e439);
-                if (_e478 < _e45) {
+                let _e512 = phi_867_;
+                let _e513 = bitcast<u32>(_e509);
+                let _e515 = (bitcast<u32>(_e496) * _e480);
+                let _e516 = (bitcast<u32>(_e512) * _e480);
+                let _e521 = ((_e515 + _e497) + _e482);
+                let _e522 = ((_e515 + _e513) + _e482);
+                let _e523 = ((_e516 + _e497) + _e482);
+                let _e524 = ((_e516 + _e513) + _e482);
+                if (_e521 < _e45) {
                 } else {
                     return;
                 }
-                let _e485 = map.member[(0u + _e478)];
-                if (_e479 < _e45) {
+                let _e528 = map.member[(0u + _e521)];
+                if (_e522 < _e45) {
                 } else {
                     return;
                 }
-                let _e497 = map.member[(0u + _e479)];
-                if (_e480 < _e45) {
+                let _e540 = map.member[(0u + _e522)];
+                if (_e523 < _e45) {
                 } else {
                     return;
                 }
-                let _e513 = map.member[(0u + _e480)];
-                if (_e481 < _e45) {
+                let _e556 = map.member[(0u + _e523)];
+                if (_e524 < _e45) {
                 } else {
                     return;
                 }
-                let _e529 = map.member[(0u + _e481)];
-                let _e543 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e485.x * _e427) + (_e497.x * _e429)) + (_e513.x * _e431)) + (_e529.x * _e432)), ((((_e485.y * _e427) + (_e497.y * _e429)) + (_e513.y * _e431)) + (_e529.y * _e432)), ((((_e485.z * _e427) + (_e497.z * _e429)) + (_e513.z * _e431)) + (_e529.z * _e432)), ((((_e485.w * _e427) + (_e497.w * _e429)) + (_e513.w * _e431)) + (_e529.w * _e432))), _e345);
-                let _e545 = p.member.epsilon;
-                if (_e543 <= _e545) {
-                    phi_912_ = true;
+                let _e572 = map.member[(0u + _e524)];
+                let _e586 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e528.x * _e470) + (_e540.x * _e472)) + (_e556.x * _e474)) + (_e572.x * _e475)), ((((_e528.y * _e470) + (_e540.y * _e472)) + (_e556.y * _e474)) + (_e572.y * _e475)), ((((_e528.z * _e470) + (_e540.z * _e472)) + (_e556.z * _e474)) + (_e572.z * _e475)), ((((_e528.w * _e470) + (_e540.w * _e472)) + (_e556.w * _e474)) + (_e572.w * _e475))), _e388);
+                let _e588 = p.member.epsilon;
+                if (_e586 <= _e588) {
+                    phi_962_ = true;
                 } else {
-                    phi_912_ = (_e543 >= (1f - _e545));
+                    phi_962_ = (_e586 >= (1f - _e588));
                 }
-                let _e550 = phi_912_;
-                if ((bitcast<u32>(_e543) & 2147483647u) > 2139095040u) {
-                    phi_920_ = true;
+                let _e593 = phi_962_;
+                if ((bitcast<u32>(_e586) & 2147483647u) > 2139095040u) {
+                    phi_970_ = true;
                 } else {
-                    phi_920_ = !(_e550);
+                    phi_970_ = !(_e593);
                 }
-                let _e556 = phi_920_;
-                if _e556 {
-                    if (_e543 > 0f) {
-                        if (_e543 < 1f) {
-                            phi_932_ = false;
+                let _e599 = phi_970_;
+                if _e599 {
+                    if (_e586 > 0f) {
+                        if (_e586 < 1f) {
+                            phi_982_ = false;
                         } else {
-                            phi_932_ = true;
+                            phi_982_ = true;
                         }
-                        let _e560 = phi_932_;
-                        phi_933_ = _e560;
+                        let _e603 = phi_982_;
+                        phi_983_ = _e603;
                     } else {
-                        phi_933_ = true;
+                        phi_983_ = true;
                     }
-                    let _e562 = phi_933_;
-                    if _e562 {
-                        phi_937_ = 0.5f;
+                    let _e605 = phi_983_;
+                    if _e605 {
+                        phi_987_ = 0.5f;
                     } else {
-                        phi_937_ = _e543;
+                        phi_987_ = _e586;
                     }
-                    let _e564 = phi_937_;
-                    phi_945_ = evaluate_Verdict(_e564, true);
+                    let _e607 = phi_987_;
+                    phi_995_ = evaluate_Verdict(_e607, true);
                 } else {
-                    if (_e543 > 0.5f) {
-                        phi_943_ = 1f;
+                    if (_e586 > 0.5f) {
+                        phi_993_ = 1f;
                     } else {
-                        phi_943_ = 0f;
+                        phi_993_ = 0f;
                     }
-                    let _e568 = phi_943_;
-                    phi_945_ = evaluate_Verdict(_e568, false);
+                    let _e611 = phi_993_;
+                    phi_995_ = evaluate_Verdict(_e611, false);
                 }
-                let _e571 = phi_945_;
-                phi_950_ = evaluate_Verdict(_e571.visibility, _e571.is_doubted);
+                let _e614 = phi_995_;
+                phi_1000_ = evaluate_Verdict(_e614.visibility, _e614.is_doubted);
             } else {
-                phi_950_ = evaluate_Verdict(0.5f, true);
+                phi_1000_ = evaluate_Verdict(0.5f, true);
             }
-            let _e577 = phi_950_;
-            phi_951_ = _e577;
+            let _e620 = phi_1000_;
+            phi_1001_ = _e620;
         }
-        let _e579 = phi_951_;
-        visibility.member[_e53.first_primitive] = _e579.visibility;
-        phi_955_ = _e579.is_doubted;
-        phi_956_ = _e53.first_primitive;
+        let _e622 = phi_1001_;
+        visibility.member[_e53.first_primitive] = _e622.visibility;
+        phi_1005_ = _e622.is_doubted;
+        phi_1006_ = _e53.first_primitive;
     } else {
-        phi_955_ = false;
-        phi_956_ = 0u;
+        phi_1005_ = false;
+        phi_1006_ = 0u;
     }
-    let _e584 = phi_955_;
-    let _e586 = phi_956_;
+    let _e627 = phi_1005_;
+    let _e629 = phi_1006_;
     if (_e40 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e584 {
-        let _e590 = atomicAdd((&shared_[0u]), 1u);
-        phi_967_ = _e590;
+    if _e627 {
+        let _e633 = atomicAdd((&shared_[0u]), 1u);
+        phi_1017_ = _e633;
     } else {
-        phi_967_ = 0u;
+        phi_1017_ = 0u;
     }
-    let _e592 = phi_967_;
+    let _e635 = phi_1017_;
     workgroupBarrier();
     if (_e40 == 0u) {
-        let _e596 = atomicLoad((&shared_[0u]));
-        let _e597 = atomicAdd((&list.member[3u]), _e596);
-        atomicStore((&shared_[1u]), _e597);
+        let _e639 = atomicLoad((&shared_[0u]));
+        let _e640 = atomicAdd((&list.member[3u]), _e639);
+        atomicStore((&shared_[1u]), _e640);
     }
     workgroupBarrier();
-    if _e584 {
-        let _e600 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e600) + _e592)]), _e586);
+    if _e627 {
+        let _e643 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e643) + _e635)]), _e629);
     }
     return;
 }

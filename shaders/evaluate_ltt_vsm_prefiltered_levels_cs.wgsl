@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -34,7 +43,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<vec4<f32>>,
 }
 
@@ -47,18 +56,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: abi_ShadowParams,
 }
 
@@ -68,7 +77,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_47 {
+struct type_49 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -77,7 +86,7 @@ struct lt_math_LevelPoint {
     point: lt_math_LightPoint,
 }
 
-struct type_53 {
+struct type_55 {
     member: array<atomic<u32>>,
 }
 
@@ -88,48 +97,48 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_41;
+var<uniform> p: type_43;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_53;
+var<storage, read_write> list: type_55;
 @group(0) @binding(5) 
-var<storage> levels: type_47;
+var<storage> levels: type_49;
 @group(0) @binding(2) 
-var<storage> map: type_37;
+var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_159_: lt_bvh_traverse_Tree;
-    var phi_160_: bool;
-    var phi_161_: lt_bvh_traverse_Tree;
-    var phi_162_: bool;
-    var phi_167_: lt_bvh_traverse_Tree;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_167_: bool;
+    var phi_172_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_159_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_160_ = false;
+            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_165_ = false;
         } else {
-            phi_159_ = lt_bvh_traverse_Tree();
-            phi_160_ = true;
+            phi_164_ = lt_bvh_traverse_Tree();
+            phi_165_ = true;
         }
-        let _e56 = phi_159_;
-        let _e58 = phi_160_;
-        phi_161_ = _e56;
-        phi_162_ = _e58;
+        let _e57 = phi_164_;
+        let _e59 = phi_165_;
+        phi_166_ = _e57;
+        phi_167_ = _e59;
     } else {
-        phi_161_ = lt_bvh_traverse_Tree();
-        phi_162_ = true;
+        phi_166_ = lt_bvh_traverse_Tree();
+        phi_167_ = true;
     }
-    let _e60 = phi_161_;
-    let _e62 = phi_162_;
-    if _e62 {
-        phi_167_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e61 = phi_166_;
+    let _e63 = phi_167_;
+    if _e63 {
+        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_167_ = _e60;
+        phi_172_ = _e61;
     }
-    let _e67 = phi_167_;
-    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
+    let _e68 = phi_172_;
+    return lt_bvh_traverse_Tree(_e68.root, _e68.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -137,721 +146,767 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_192_: f32;
-    var phi_193_: f32;
-    var phi_194_: f32;
-    var phi_212_: bool;
-    var phi_216_: f32;
-    var phi_228_: bool;
-    var phi_235_: f32;
-    var phi_250_: f32;
-    var phi_251_: f32;
-    var phi_252_: f32;
+    var phi_197_: f32;
+    var phi_198_: f32;
+    var phi_199_: f32;
+    var phi_217_: bool;
+    var phi_221_: f32;
+    var phi_233_: bool;
+    var phi_240_: f32;
+    var phi_255_: f32;
+    var phi_256_: f32;
+    var phi_257_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_194_ = param_6;
+        phi_199_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_193_ = 0f;
+            phi_198_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_192_ = 1f;
+                phi_197_ = 1f;
             } else {
-                phi_192_ = param_6;
+                phi_197_ = param_6;
             }
-            let _e52 = phi_192_;
-            phi_193_ = _e52;
+            let _e53 = phi_197_;
+            phi_198_ = _e53;
         }
-        let _e54 = phi_193_;
-        phi_194_ = _e54;
+        let _e55 = phi_198_;
+        phi_199_ = _e55;
     }
-    let _e56 = phi_194_;
-    let _e59 = (*param_4);
-    let _e63 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
-    if ((bitcast<u32>(_e59) & 2147483647u) > 2139095040u) {
-        phi_212_ = true;
+    let _e57 = phi_199_;
+    let _e60 = (*param_4);
+    let _e64 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
+    if ((bitcast<u32>(_e60) & 2147483647u) > 2139095040u) {
+        phi_217_ = true;
     } else {
-        let _e67 = (_e59 > _e63);
-        if _e67 {
+        let _e68 = (_e60 > _e64);
+        if _e68 {
         }
-        phi_212_ = _e67;
+        phi_217_ = _e68;
     }
-    let _e69 = phi_212_;
-    if _e69 {
-        phi_216_ = _e59;
+    let _e70 = phi_217_;
+    if _e70 {
+        phi_221_ = _e60;
     } else {
-        phi_216_ = _e63;
+        phi_221_ = _e64;
     }
-    let _e71 = phi_216_;
-    let _e72 = (_e56 - param_5.x);
-    if (_e72 <= 0f) {
-        let _e76 = ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u);
-        if _e76 {
+    let _e72 = phi_221_;
+    let _e73 = (_e57 - param_5.x);
+    if (_e73 <= 0f) {
+        let _e77 = ((bitcast<u32>(_e72) & 2147483647u) > 2139095040u);
+        if _e77 {
         }
-        phi_228_ = _e76;
+        phi_233_ = _e77;
     } else {
-        phi_228_ = true;
+        phi_233_ = true;
     }
-    let _e78 = phi_228_;
-    if _e78 {
-        phi_235_ = (_e71 / (_e71 + (_e72 * _e72)));
+    let _e79 = phi_233_;
+    if _e79 {
+        phi_240_ = (_e72 / (_e72 + (_e73 * _e73)));
     } else {
-        phi_235_ = 1f;
+        phi_240_ = 1f;
     }
-    let _e83 = phi_235_;
-    if ((bitcast<u32>(_e83) & 2147483647u) > 2139095040u) {
-        phi_252_ = _e83;
+    let _e84 = phi_240_;
+    if ((bitcast<u32>(_e84) & 2147483647u) > 2139095040u) {
+        phi_257_ = _e84;
     } else {
-        if (_e83 < 0f) {
-            phi_251_ = 0f;
+        if (_e84 < 0f) {
+            phi_256_ = 0f;
         } else {
-            if (_e83 > 1f) {
-                phi_250_ = 1f;
+            if (_e84 > 1f) {
+                phi_255_ = 1f;
             } else {
-                phi_250_ = _e83;
+                phi_255_ = _e84;
             }
-            let _e90 = phi_250_;
-            phi_251_ = _e90;
+            let _e91 = phi_255_;
+            phi_256_ = _e91;
         }
-        let _e92 = phi_251_;
-        phi_252_ = _e92;
+        let _e93 = phi_256_;
+        phi_257_ = _e93;
     }
-    let _e94 = phi_252_;
-    return _e94;
+    let _e95 = phi_257_;
+    return _e95;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_308_: bool;
-    var phi_309_: bool;
-    var phi_310_: bool;
-    var phi_311_: bool;
+    var phi_312_: bool;
+    var phi_313_: bool;
+    var phi_314_: bool;
     var phi_315_: bool;
-    var phi_359_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_363_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_383_: lt_math_LightPoint;
-    var phi_386_: u32;
-    var phi_388_: lt_math_LevelPoint;
-    var phi_474_: bool;
-    var phi_483_: bool;
-    var phi_492_: bool;
-    var phi_493_: bool;
-    var phi_494_: bool;
-    var phi_495_: bool;
-    var phi_496_: bool;
-    var phi_497_: bool;
-    var phi_498_: bool;
-    var phi_502_: bool;
-    var phi_529_: bool;
-    var phi_530_: bool;
-    var phi_531_: bool;
-    var phi_532_: bool;
-    var phi_533_: bool;
-    var phi_534_: bool;
+    var phi_319_: bool;
+    var phi_389_: bool;
+    var phi_390_: bool;
+    var phi_401_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_402_: bool;
+    var phi_403_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_404_: bool;
+    var phi_411_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_415_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_435_: lt_math_LightPoint;
+    var phi_438_: u32;
+    var phi_440_: lt_math_LevelPoint;
+    var phi_526_: bool;
     var phi_535_: bool;
-    var phi_536_: bool;
-    var phi_540_: bool;
-    var phi_549_: lt_math_LightPoint;
-    var phi_550_: u32;
-    var phi_551_: lt_math_LevelPoint;
-    var phi_552_: bool;
-    var phi_384_: lt_math_LightPoint;
-    var phi_387_: u32;
-    var phi_389_: lt_math_LevelPoint;
-    var phi_553_: bool;
+    var phi_544_: bool;
+    var phi_545_: bool;
+    var phi_546_: bool;
+    var phi_547_: bool;
+    var phi_548_: bool;
+    var phi_549_: bool;
+    var phi_550_: bool;
+    var phi_554_: bool;
+    var phi_581_: bool;
+    var phi_582_: bool;
+    var phi_583_: bool;
+    var phi_584_: bool;
+    var phi_585_: bool;
+    var phi_586_: bool;
+    var phi_587_: bool;
+    var phi_588_: bool;
+    var phi_592_: bool;
+    var phi_601_: lt_math_LightPoint;
+    var phi_602_: u32;
+    var phi_603_: lt_math_LevelPoint;
+    var phi_604_: bool;
+    var phi_436_: lt_math_LightPoint;
+    var phi_439_: u32;
+    var phi_441_: lt_math_LevelPoint;
+    var phi_605_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_593_: bool;
-    var phi_594_: bool;
-    var phi_595_: bool;
-    var phi_596_: bool;
-    var phi_600_: bool;
-    var phi_682_: f32;
-    var phi_798_: f32;
-    var phi_799_: f32;
-    var phi_802_: f32;
-    var phi_831_: f32;
-    var phi_836_: f32;
-    var phi_837_: bool;
-    var phi_838_: f32;
-    var phi_839_: bool;
-    var phi_843_: f32;
-    var phi_863_: f32;
-    var phi_868_: f32;
-    var phi_869_: bool;
-    var phi_870_: f32;
-    var phi_871_: bool;
-    var phi_875_: f32;
+    var phi_645_: bool;
+    var phi_646_: bool;
+    var phi_647_: bool;
+    var phi_648_: bool;
+    var phi_652_: bool;
+    var phi_734_: f32;
+    var phi_852_: f32;
+    var phi_853_: f32;
+    var phi_856_: f32;
+    var phi_885_: f32;
+    var phi_890_: f32;
+    var phi_891_: bool;
+    var phi_892_: f32;
+    var phi_893_: bool;
+    var phi_897_: f32;
+    var phi_917_: f32;
+    var phi_922_: f32;
+    var phi_923_: bool;
+    var phi_924_: f32;
+    var phi_925_: bool;
+    var phi_929_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_924_: i32;
-    var phi_929_: i32;
-    var phi_934_: i32;
-    var phi_939_: i32;
-    var phi_948_: i32;
-    var phi_953_: i32;
-    var phi_958_: i32;
-    var phi_963_: i32;
-    var phi_1058_: bool;
-    var phi_1066_: bool;
-    var phi_1078_: bool;
-    var phi_1079_: bool;
-    var phi_1083_: f32;
-    var phi_1089_: f32;
-    var phi_1091_: evaluate_Verdict;
-    var phi_1096_: evaluate_Verdict;
-    var phi_1097_: evaluate_Verdict;
-    var phi_1101_: bool;
-    var phi_1102_: u32;
-    var phi_1113_: u32;
+    var phi_978_: i32;
+    var phi_983_: i32;
+    var phi_988_: i32;
+    var phi_993_: i32;
+    var phi_1002_: i32;
+    var phi_1007_: i32;
+    var phi_1012_: i32;
+    var phi_1017_: i32;
+    var phi_1112_: bool;
+    var phi_1120_: bool;
+    var phi_1132_: bool;
+    var phi_1133_: bool;
+    var phi_1137_: f32;
+    var phi_1143_: f32;
+    var phi_1145_: evaluate_Verdict;
+    var phi_1150_: evaluate_Verdict;
+    var phi_1151_: evaluate_Verdict;
+    var phi_1155_: bool;
+    var phi_1156_: u32;
+    var phi_1167_: u32;
 
-    let _e44 = id_1;
-    let _e45 = local_5;
-    let _e50 = arrayLength((&map.member));
-    let _e55 = arrayLength((&levels.member));
-    let _e58 = p.member.size[0u];
-    let _e60 = p.member.size[1u];
-    let _e61 = lt_shaders_entry_pixel_index(_e44, _e58, _e60);
-    if (bitcast<i32>(_e61.root) != 0i) {
-        let _e68 = p.member.level_count;
-        let _e70 = p.member.light;
-        let _e73 = samples.member[_e61.first_primitive].normal[0u];
+    let _e45 = id_1;
+    let _e46 = local_5;
+    let _e51 = arrayLength((&map.member));
+    let _e56 = arrayLength((&levels.member));
+    let _e59 = p.member.size[0u];
+    let _e61 = p.member.size[1u];
+    let _e62 = lt_shaders_entry_pixel_index(_e45, _e59, _e61);
+    if (bitcast<i32>(_e62.root) != 0i) {
+        let _e69 = p.member.level_count;
+        let _e73 = samples.member[_e62.first_primitive].normal[0u];
         let _e75 = global[0u];
         if (_e73 == _e75) {
-            let _e78 = samples.member[_e61.first_primitive].normal[1u];
+            let _e78 = samples.member[_e62.first_primitive].normal[1u];
             let _e80 = global[1u];
             if (_e78 == _e80) {
-                let _e83 = samples.member[_e61.first_primitive].normal[2u];
+                let _e83 = samples.member[_e62.first_primitive].normal[2u];
                 let _e85 = global[2u];
-                phi_308_ = (_e83 == _e85);
-                phi_309_ = false;
+                phi_312_ = (_e83 == _e85);
+                phi_313_ = false;
             } else {
-                phi_308_ = bool();
-                phi_309_ = true;
+                phi_312_ = bool();
+                phi_313_ = true;
             }
-            let _e88 = phi_308_;
-            let _e90 = phi_309_;
-            phi_310_ = _e88;
-            phi_311_ = _e90;
+            let _e88 = phi_312_;
+            let _e90 = phi_313_;
+            phi_314_ = _e88;
+            phi_315_ = _e90;
         } else {
-            phi_310_ = bool();
-            phi_311_ = true;
+            phi_314_ = bool();
+            phi_315_ = true;
         }
-        let _e92 = phi_310_;
-        let _e94 = phi_311_;
+        let _e92 = phi_314_;
+        let _e94 = phi_315_;
         if _e94 {
-            phi_315_ = false;
+            phi_319_ = false;
         } else {
-            phi_315_ = _e92;
+            phi_319_ = _e92;
         }
-        let _e96 = phi_315_;
+        let _e96 = phi_319_;
         if !(_e96) {
-            let _e99 = samples.member[_e61.first_primitive].normal;
-            let _e101 = samples.member[_e61.first_primitive].position;
-            if ((((_e99.x * (_e70.x - (_e101.x * _e70.w))) + (_e99.y * (_e70.y - (_e101.y * _e70.w)))) + (_e99.z * (_e70.z - (_e101.z * _e70.w)))) > 0f) {
-                let _e125 = samples.member[_e61.first_primitive].flags;
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e133.unnamed.visibility, false), _e133.unnamed_1);
-                phi_359_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e139.unnamed, ((_e125 & 1u) == 0u));
-            } else {
-                let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e148.unnamed.visibility, false), _e148.unnamed_1);
-                phi_359_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e154.unnamed, true);
-            }
-            let _e159 = phi_359_;
-            phi_363_ = _e159;
-        } else {
-            let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
-            phi_363_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, true);
-        }
-        let _e176 = phi_363_;
-        if _e176.unnamed_1 {
-            phi_1097_ = evaluate_Verdict(_e176.unnamed.visibility, _e176.unnamed.is_doubted);
-        } else {
-            let _e184 = samples.member[_e61.first_primitive].position;
-            let _e186 = p.member.map_size;
-            let _e188 = (0.5f / f32(_e186));
-            let _e195 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e202 = lt_math_LightPoint(vec2<f32>(_e195.uv.x, 0f), _e195.depth, _e195.is_inside);
-            let _e206 = lt_math_LightPoint(_e202.uv, 0f, _e202.is_inside);
-            phi_383_ = lt_math_LightPoint();
-            phi_386_ = 0u;
-            phi_388_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e206.uv, _e206.depth, false));
-            loop {
-                let _e213 = phi_383_;
-                let _e215 = phi_386_;
-                let _e217 = phi_388_;
-                local_2 = _e217;
-                local_3 = _e217;
-                local_4 = _e217;
-                if (_e215 < _e68) {
-                    if _e217.point.is_inside {
-                        phi_549_ = lt_math_LightPoint();
-                        phi_550_ = u32();
-                        phi_551_ = lt_math_LevelPoint();
-                        phi_552_ = false;
+            let _e99 = samples.member[_e62.first_primitive].position;
+            let _e101 = p.member.light.place;
+            let _e107 = p.member.light.place[3u];
+            let _e114 = (_e101.x - (_e99.x * _e107));
+            let _e115 = (_e101.y - (_e99.y * _e107));
+            let _e116 = (_e101.z - (_e99.z * _e107));
+            let _e118 = samples.member[_e62.first_primitive].normal;
+            if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
+                let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
+                let _e134 = p.member.light.axis;
+                let _e146 = p.member.light.place[3u];
+                if (_e146 == 0f) {
+                    phi_390_ = true;
+                } else {
+                    let _e149 = p.member.light.range_squared;
+                    if (_e132 <= _e149) {
+                        let _e152 = p.member.light.cos_outer;
+                        phi_389_ = (-((((_e114 * _e134.x) + (_e115 * _e134.y)) + (_e116 * _e134.z))) >= (_e152 * sqrt(_e132)));
                     } else {
-                        if (_e215 < _e55) {
+                        phi_389_ = false;
+                    }
+                    let _e157 = phi_389_;
+                    phi_390_ = _e157;
+                }
+                let _e159 = phi_390_;
+                if _e159 {
+                    let _e161 = samples.member[_e62.first_primitive].flags;
+                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
+                    phi_401_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
+                    phi_402_ = false;
+                } else {
+                    phi_401_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_402_ = true;
+                }
+                let _e180 = phi_401_;
+                let _e182 = phi_402_;
+                phi_403_ = _e180;
+                phi_404_ = _e182;
+            } else {
+                phi_403_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_404_ = true;
+            }
+            let _e184 = phi_403_;
+            let _e186 = phi_404_;
+            if _e186 {
+                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
+                phi_411_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
+            } else {
+                phi_411_ = _e184;
+            }
+            let _e203 = phi_411_;
+            phi_415_ = _e203;
+        } else {
+            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
+            phi_415_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
+        }
+        let _e220 = phi_415_;
+        if _e220.unnamed_1 {
+            phi_1151_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
+        } else {
+            let _e228 = samples.member[_e62.first_primitive].position;
+            let _e230 = p.member.map_size;
+            let _e232 = (0.5f / f32(_e230));
+            let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e246 = lt_math_LightPoint(vec2<f32>(_e239.uv.x, 0f), _e239.depth, _e239.is_inside);
+            let _e250 = lt_math_LightPoint(_e246.uv, 0f, _e246.is_inside);
+            phi_435_ = lt_math_LightPoint();
+            phi_438_ = 0u;
+            phi_440_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e250.uv, _e250.depth, false));
+            loop {
+                let _e257 = phi_435_;
+                let _e259 = phi_438_;
+                let _e261 = phi_440_;
+                local_2 = _e261;
+                local_3 = _e261;
+                local_4 = _e261;
+                if (_e259 < _e69) {
+                    if _e261.point.is_inside {
+                        phi_601_ = lt_math_LightPoint();
+                        phi_602_ = u32();
+                        phi_603_ = lt_math_LevelPoint();
+                        phi_604_ = false;
+                    } else {
+                        if (_e259 < _e56) {
                         } else {
                             return;
                         }
-                        let _e228 = levels.member[(0u + _e215)].row_w;
-                        let _e239 = ((((_e228.x * _e184.x) + (_e228.y * _e184.y)) + (_e228.z * _e184.z)) + (_e228.w * 1f));
-                        let _e241 = levels.member[(0u + _e215)].row_x;
-                        let _e253 = (((((_e241.x * _e184.x) + (_e241.y * _e184.y)) + (_e241.z * _e184.z)) + (_e241.w * 1f)) / _e239);
-                        let _e255 = levels.member[(0u + _e215)].row_y;
-                        let _e267 = (((((_e255.x * _e184.x) + (_e255.y * _e184.y)) + (_e255.z * _e184.z)) + (_e255.w * 1f)) / _e239);
-                        let _e269 = levels.member[(0u + _e215)].row_z;
-                        let _e280 = ((((_e269.x * _e184.x) + (_e269.y * _e184.y)) + (_e269.z * _e184.z)) + (_e269.w * 1f));
-                        if (_e239 > 0f) {
-                            if (_e253 >= 0f) {
-                                phi_474_ = (_e253 <= 1f);
+                        let _e272 = levels.member[(0u + _e259)].row_w;
+                        let _e283 = ((((_e272.x * _e228.x) + (_e272.y * _e228.y)) + (_e272.z * _e228.z)) + (_e272.w * 1f));
+                        let _e285 = levels.member[(0u + _e259)].row_x;
+                        let _e297 = (((((_e285.x * _e228.x) + (_e285.y * _e228.y)) + (_e285.z * _e228.z)) + (_e285.w * 1f)) / _e283);
+                        let _e299 = levels.member[(0u + _e259)].row_y;
+                        let _e311 = (((((_e299.x * _e228.x) + (_e299.y * _e228.y)) + (_e299.z * _e228.z)) + (_e299.w * 1f)) / _e283);
+                        let _e313 = levels.member[(0u + _e259)].row_z;
+                        let _e324 = ((((_e313.x * _e228.x) + (_e313.y * _e228.y)) + (_e313.z * _e228.z)) + (_e313.w * 1f));
+                        if (_e283 > 0f) {
+                            if (_e297 >= 0f) {
+                                phi_526_ = (_e297 <= 1f);
                             } else {
-                                phi_474_ = false;
+                                phi_526_ = false;
                             }
-                            let _e285 = phi_474_;
-                            if _e285 {
-                                if (_e267 >= 0f) {
-                                    phi_483_ = (_e267 <= 1f);
+                            let _e329 = phi_526_;
+                            if _e329 {
+                                if (_e311 >= 0f) {
+                                    phi_535_ = (_e311 <= 1f);
                                 } else {
-                                    phi_483_ = false;
+                                    phi_535_ = false;
                                 }
-                                let _e289 = phi_483_;
-                                if _e289 {
-                                    if (_e280 >= 0f) {
-                                        phi_492_ = (_e280 <= 1f);
+                                let _e333 = phi_535_;
+                                if _e333 {
+                                    if (_e324 >= 0f) {
+                                        phi_544_ = (_e324 <= 1f);
                                     } else {
-                                        phi_492_ = false;
+                                        phi_544_ = false;
                                     }
-                                    let _e293 = phi_492_;
-                                    phi_493_ = _e293;
-                                    phi_494_ = false;
+                                    let _e337 = phi_544_;
+                                    phi_545_ = _e337;
+                                    phi_546_ = false;
                                 } else {
-                                    phi_493_ = bool();
-                                    phi_494_ = true;
+                                    phi_545_ = bool();
+                                    phi_546_ = true;
                                 }
-                                let _e295 = phi_493_;
-                                let _e297 = phi_494_;
-                                phi_495_ = _e295;
-                                phi_496_ = _e297;
+                                let _e339 = phi_545_;
+                                let _e341 = phi_546_;
+                                phi_547_ = _e339;
+                                phi_548_ = _e341;
                             } else {
-                                phi_495_ = bool();
-                                phi_496_ = true;
+                                phi_547_ = bool();
+                                phi_548_ = true;
                             }
-                            let _e299 = phi_495_;
-                            let _e301 = phi_496_;
-                            phi_497_ = _e299;
-                            phi_498_ = _e301;
+                            let _e343 = phi_547_;
+                            let _e345 = phi_548_;
+                            phi_549_ = _e343;
+                            phi_550_ = _e345;
                         } else {
-                            phi_497_ = bool();
-                            phi_498_ = true;
+                            phi_549_ = bool();
+                            phi_550_ = true;
                         }
-                        let _e303 = phi_497_;
-                        let _e305 = phi_498_;
-                        if _e305 {
-                            phi_502_ = false;
+                        let _e347 = phi_549_;
+                        let _e349 = phi_550_;
+                        if _e349 {
+                            phi_554_ = false;
                         } else {
-                            phi_502_ = _e303;
+                            phi_554_ = _e347;
                         }
-                        let _e307 = phi_502_;
-                        if _e307 {
-                            if (_e253 >= _e188) {
-                                if (_e253 <= (1f - _e188)) {
-                                    if (_e267 >= _e188) {
-                                        phi_529_ = (_e267 <= (1f - _e188));
-                                        phi_530_ = false;
+                        let _e351 = phi_554_;
+                        if _e351 {
+                            if (_e297 >= _e232) {
+                                if (_e297 <= (1f - _e232)) {
+                                    if (_e311 >= _e232) {
+                                        phi_581_ = (_e311 <= (1f - _e232));
+                                        phi_582_ = false;
                                     } else {
-                                        phi_529_ = bool();
-                                        phi_530_ = true;
+                                        phi_581_ = bool();
+                                        phi_582_ = true;
                                     }
-                                    let _e315 = phi_529_;
-                                    let _e317 = phi_530_;
-                                    phi_531_ = _e315;
-                                    phi_532_ = _e317;
+                                    let _e359 = phi_581_;
+                                    let _e361 = phi_582_;
+                                    phi_583_ = _e359;
+                                    phi_584_ = _e361;
                                 } else {
-                                    phi_531_ = bool();
-                                    phi_532_ = true;
+                                    phi_583_ = bool();
+                                    phi_584_ = true;
                                 }
-                                let _e319 = phi_531_;
-                                let _e321 = phi_532_;
-                                phi_533_ = _e319;
-                                phi_534_ = _e321;
+                                let _e363 = phi_583_;
+                                let _e365 = phi_584_;
+                                phi_585_ = _e363;
+                                phi_586_ = _e365;
                             } else {
-                                phi_533_ = bool();
-                                phi_534_ = true;
+                                phi_585_ = bool();
+                                phi_586_ = true;
                             }
-                            let _e323 = phi_533_;
-                            let _e325 = phi_534_;
-                            phi_535_ = _e323;
-                            phi_536_ = _e325;
+                            let _e367 = phi_585_;
+                            let _e369 = phi_586_;
+                            phi_587_ = _e367;
+                            phi_588_ = _e369;
                         } else {
-                            phi_535_ = bool();
-                            phi_536_ = true;
+                            phi_587_ = bool();
+                            phi_588_ = true;
                         }
-                        let _e327 = phi_535_;
-                        let _e329 = phi_536_;
-                        if _e329 {
-                            phi_540_ = false;
+                        let _e371 = phi_587_;
+                        let _e373 = phi_588_;
+                        if _e373 {
+                            phi_592_ = false;
                         } else {
-                            phi_540_ = _e327;
+                            phi_592_ = _e371;
                         }
-                        let _e331 = phi_540_;
-                        let _e338 = lt_math_LightPoint(vec2<f32>(_e253, _e213.uv.y), _e213.depth, _e213.is_inside);
-                        let _e345 = lt_math_LightPoint(vec2<f32>(_e338.uv.x, _e267), _e338.depth, _e338.is_inside);
-                        let _e349 = lt_math_LightPoint(_e345.uv, _e280, _e345.is_inside);
-                        let _e353 = lt_math_LightPoint(_e349.uv, _e349.depth, _e331);
-                        phi_549_ = _e353;
-                        phi_550_ = (_e215 + 1u);
-                        phi_551_ = lt_math_LevelPoint(_e215, _e353);
-                        phi_552_ = true;
+                        let _e375 = phi_592_;
+                        let _e382 = lt_math_LightPoint(vec2<f32>(_e297, _e257.uv.y), _e257.depth, _e257.is_inside);
+                        let _e389 = lt_math_LightPoint(vec2<f32>(_e382.uv.x, _e311), _e382.depth, _e382.is_inside);
+                        let _e393 = lt_math_LightPoint(_e389.uv, _e324, _e389.is_inside);
+                        let _e397 = lt_math_LightPoint(_e393.uv, _e393.depth, _e375);
+                        phi_601_ = _e397;
+                        phi_602_ = (_e259 + 1u);
+                        phi_603_ = lt_math_LevelPoint(_e259, _e397);
+                        phi_604_ = true;
                     }
-                    let _e357 = phi_549_;
-                    let _e359 = phi_550_;
-                    let _e361 = phi_551_;
-                    let _e363 = phi_552_;
-                    phi_384_ = _e357;
-                    phi_387_ = _e359;
-                    phi_389_ = _e361;
-                    phi_553_ = _e363;
+                    let _e401 = phi_601_;
+                    let _e403 = phi_602_;
+                    let _e405 = phi_603_;
+                    let _e407 = phi_604_;
+                    phi_436_ = _e401;
+                    phi_439_ = _e403;
+                    phi_441_ = _e405;
+                    phi_605_ = _e407;
                 } else {
-                    phi_384_ = lt_math_LightPoint();
-                    phi_387_ = u32();
-                    phi_389_ = lt_math_LevelPoint();
-                    phi_553_ = false;
+                    phi_436_ = lt_math_LightPoint();
+                    phi_439_ = u32();
+                    phi_441_ = lt_math_LevelPoint();
+                    phi_605_ = false;
                 }
-                let _e365 = phi_384_;
-                let _e367 = phi_387_;
-                let _e369 = phi_389_;
-                let _e371 = phi_553_;
+                let _e409 = phi_436_;
+                let _e411 = phi_439_;
+                let _e413 = phi_441_;
+                let _e415 = phi_605_;
                 continue;
                 continuing {
-                    phi_383_ = _e365;
-                    phi_386_ = _e367;
-                    phi_388_ = _e369;
-                    break if !(_e371);
+                    phi_435_ = _e409;
+                    phi_438_ = _e411;
+                    phi_440_ = _e413;
+                    break if !(_e415);
                 }
             }
-            let _e374 = local_2;
-            if _e374.point.is_inside {
+            let _e418 = local_2;
+            if _e418.point.is_inside {
                 if (0f > 0f) {
-                    let _e380 = local_3;
-                    if (_e380.level < _e55) {
+                    let _e424 = local_3;
+                    if (_e424.level < _e56) {
                     } else {
                         return;
                     }
-                    let _e385 = levels.member[(0u + _e380.level)];
-                    let _e391 = global[0u];
-                    if (_e385.row_w.x == _e391) {
-                        let _e394 = global[1u];
-                        if (_e385.row_w.y == _e394) {
-                            let _e397 = global[2u];
-                            phi_593_ = (_e385.row_w.z == _e397);
-                            phi_594_ = false;
+                    let _e429 = levels.member[(0u + _e424.level)];
+                    let _e435 = global[0u];
+                    if (_e429.row_w.x == _e435) {
+                        let _e438 = global[1u];
+                        if (_e429.row_w.y == _e438) {
+                            let _e441 = global[2u];
+                            phi_645_ = (_e429.row_w.z == _e441);
+                            phi_646_ = false;
                         } else {
-                            phi_593_ = bool();
-                            phi_594_ = true;
+                            phi_645_ = bool();
+                            phi_646_ = true;
                         }
-                        let _e400 = phi_593_;
-                        let _e402 = phi_594_;
-                        phi_595_ = _e400;
-                        phi_596_ = _e402;
+                        let _e444 = phi_645_;
+                        let _e446 = phi_646_;
+                        phi_647_ = _e444;
+                        phi_648_ = _e446;
                     } else {
-                        phi_595_ = bool();
-                        phi_596_ = true;
+                        phi_647_ = bool();
+                        phi_648_ = true;
                     }
-                    let _e404 = phi_595_;
-                    let _e406 = phi_596_;
-                    if _e406 {
-                        phi_600_ = false;
+                    let _e448 = phi_647_;
+                    let _e450 = phi_648_;
+                    if _e450 {
+                        phi_652_ = false;
                     } else {
-                        phi_600_ = _e404;
+                        phi_652_ = _e448;
                     }
-                    let _e408 = phi_600_;
-                    if _e408 {
-                        let _e410 = samples.member[_e61.first_primitive].normal;
-                        let _e412 = p.member.map_size;
-                        let _e482 = ((abs(((((_e385.row_x.x * _e410.x) + (_e385.row_x.y * _e410.y)) + (_e385.row_x.z * _e410.z)) / (((_e385.row_x.x * _e385.row_x.x) + (_e385.row_x.y * _e385.row_x.y)) + (_e385.row_x.z * _e385.row_x.z)))) + abs(((((_e385.row_y.x * _e410.x) + (_e385.row_y.y * _e410.y)) + (_e385.row_y.z * _e410.z)) / (((_e385.row_y.x * _e385.row_y.x) + (_e385.row_y.y * _e385.row_y.y)) + (_e385.row_y.z * _e385.row_y.z))))) / (abs(((((_e385.row_z.x * _e410.x) + (_e385.row_z.y * _e410.y)) + (_e385.row_z.z * _e410.z)) / (((_e385.row_z.x * _e385.row_z.x) + (_e385.row_z.y * _e385.row_z.y)) + (_e385.row_z.z * _e385.row_z.z)))) * f32(_e412)));
-                        if (_e482 < 0.002f) {
-                            phi_682_ = _e482;
+                    let _e452 = phi_652_;
+                    if _e452 {
+                        let _e454 = samples.member[_e62.first_primitive].normal;
+                        let _e456 = p.member.map_size;
+                        let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
+                        if (_e526 < 0.002f) {
+                            phi_734_ = _e526;
                         } else {
-                            phi_682_ = 0.002f;
+                            phi_734_ = 0.002f;
                         }
-                        let _e485 = phi_682_;
-                        phi_799_ = _e485;
+                        let _e529 = phi_734_;
+                        phi_853_ = _e529;
                     } else {
-                        let _e487 = p.member.map_size;
-                        let _e493 = samples.member[_e61.first_primitive].position;
-                        let _e504 = ((((_e385.row_w.x * _e493.x) + (_e385.row_w.y * _e493.y)) + (_e385.row_w.z * _e493.z)) + _e385.row_w.w);
-                        let _e517 = ((_e385.row_x.x - (_e385.row_w.x * _e374.point.uv.x)) / _e504);
-                        let _e518 = ((_e385.row_x.y - (_e385.row_w.y * _e374.point.uv.x)) / _e504);
-                        let _e519 = ((_e385.row_x.z - (_e385.row_w.z * _e374.point.uv.x)) / _e504);
-                        let _e532 = ((_e385.row_y.x - (_e385.row_w.x * _e374.point.uv.y)) / _e504);
-                        let _e533 = ((_e385.row_y.y - (_e385.row_w.y * _e374.point.uv.y)) / _e504);
-                        let _e534 = ((_e385.row_y.z - (_e385.row_w.z * _e374.point.uv.y)) / _e504);
-                        let _e540 = samples.member[_e61.first_primitive].normal;
-                        let _e545 = ((_e533 * _e540.z) - (_e540.y * _e534));
-                        let _e550 = ((_e534 * _e540.x) - (_e540.z * _e532));
-                        let _e555 = ((_e532 * _e540.y) - (_e540.x * _e533));
-                        let _e557 = samples.member[_e61.first_primitive].normal;
-                        let _e562 = ((_e518 * _e557.z) - (_e557.y * _e519));
-                        let _e567 = ((_e519 * _e557.x) - (_e557.z * _e517));
-                        let _e572 = ((_e517 * _e557.y) - (_e557.x * _e518));
-                        let _e599 = ((abs(((((_e385.row_z.x * _e545) + (_e385.row_z.y * _e550)) + (_e385.row_z.z * _e555)) / (((_e517 * _e545) + (_e518 * _e550)) + (_e519 * _e555)))) + abs(((((_e385.row_z.x * _e562) + (_e385.row_z.y * _e567)) + (_e385.row_z.z * _e572)) / (((_e532 * _e562) + (_e533 * _e567)) + (_e534 * _e572))))) / f32(_e487));
-                        if (_e599 < 0.002f) {
-                            phi_798_ = _e599;
+                        let _e531 = p.member.map_size;
+                        let _e537 = samples.member[_e62.first_primitive].position;
+                        let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
+                        let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
+                        let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
+                        let _e563 = ((_e429.row_x.z - (_e429.row_w.z * _e418.point.uv.x)) / _e548);
+                        let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
+                        let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
+                        let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
+                        let _e584 = samples.member[_e62.first_primitive].normal;
+                        let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
+                        let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
+                        let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
+                        let _e601 = samples.member[_e62.first_primitive].normal;
+                        let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
+                        let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
+                        let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
+                        let _e643 = ((abs(((((_e429.row_z.x * _e589) + (_e429.row_z.y * _e594)) + (_e429.row_z.z * _e599)) / (((_e561 * _e589) + (_e562 * _e594)) + (_e563 * _e599)))) + abs(((((_e429.row_z.x * _e606) + (_e429.row_z.y * _e611)) + (_e429.row_z.z * _e616)) / (((_e576 * _e606) + (_e577 * _e611)) + (_e578 * _e616))))) / f32(_e531));
+                        let _e645 = (16f / f32(_e531));
+                        if (_e643 < _e645) {
+                            phi_852_ = _e643;
                         } else {
-                            phi_798_ = 0.002f;
+                            phi_852_ = _e645;
                         }
-                        let _e602 = phi_798_;
-                        phi_799_ = _e602;
+                        let _e648 = phi_852_;
+                        phi_853_ = _e648;
                     }
-                    let _e604 = phi_799_;
-                    phi_802_ = (_e374.point.depth - (0f * _e604));
+                    let _e650 = phi_853_;
+                    phi_856_ = (_e418.point.depth - (0f * _e650));
                 } else {
-                    phi_802_ = _e374.point.depth;
+                    phi_856_ = _e418.point.depth;
                 }
-                let _e608 = phi_802_;
-                let _e614 = p.member.map_size;
-                let _e615 = f32(_e614);
-                let _e618 = ((_e374.point.uv.x * _e615) - 0.5f);
-                let _e619 = ((_e374.point.uv.y * _e615) - 0.5f);
-                if (_e618 > -8388608f) {
-                    let _e631 = f32(select(0i, select(select(i32(_e618), i32(-2147483648), (_e618 < bitcast<f32>(3472883712u))), 2147483647i, (_e618 > bitcast<f32>(1325400063u))), (_e618 == _e618)));
-                    if (_e631 > _e618) {
-                        phi_831_ = 1f;
+                let _e654 = phi_856_;
+                let _e660 = p.member.map_size;
+                let _e661 = f32(_e660);
+                let _e664 = ((_e418.point.uv.x * _e661) - 0.5f);
+                let _e665 = ((_e418.point.uv.y * _e661) - 0.5f);
+                if (_e664 > -8388608f) {
+                    let _e677 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e677 > _e664) {
+                        phi_885_ = 1f;
                     } else {
-                        phi_831_ = 0f;
+                        phi_885_ = 0f;
                     }
-                    let _e634 = phi_831_;
-                    if (_e618 < 8388608f) {
-                        phi_836_ = (_e631 - _e634);
-                        phi_837_ = false;
+                    let _e680 = phi_885_;
+                    if (_e664 < 8388608f) {
+                        phi_890_ = (_e677 - _e680);
+                        phi_891_ = false;
                     } else {
-                        phi_836_ = f32();
-                        phi_837_ = true;
+                        phi_890_ = f32();
+                        phi_891_ = true;
                     }
-                    let _e637 = phi_836_;
-                    let _e639 = phi_837_;
-                    phi_838_ = _e637;
-                    phi_839_ = _e639;
+                    let _e683 = phi_890_;
+                    let _e685 = phi_891_;
+                    phi_892_ = _e683;
+                    phi_893_ = _e685;
                 } else {
-                    phi_838_ = f32();
-                    phi_839_ = true;
+                    phi_892_ = f32();
+                    phi_893_ = true;
                 }
-                let _e641 = phi_838_;
-                let _e643 = phi_839_;
-                if _e643 {
-                    phi_843_ = _e618;
+                let _e687 = phi_892_;
+                let _e689 = phi_893_;
+                if _e689 {
+                    phi_897_ = _e664;
                 } else {
-                    phi_843_ = _e641;
+                    phi_897_ = _e687;
                 }
-                let _e645 = phi_843_;
-                if (_e619 > -8388608f) {
-                    let _e657 = f32(select(0i, select(select(i32(_e619), i32(-2147483648), (_e619 < bitcast<f32>(3472883712u))), 2147483647i, (_e619 > bitcast<f32>(1325400063u))), (_e619 == _e619)));
-                    if (_e657 > _e619) {
-                        phi_863_ = 1f;
+                let _e691 = phi_897_;
+                if (_e665 > -8388608f) {
+                    let _e703 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
+                    if (_e703 > _e665) {
+                        phi_917_ = 1f;
                     } else {
-                        phi_863_ = 0f;
+                        phi_917_ = 0f;
                     }
-                    let _e660 = phi_863_;
-                    if (_e619 < 8388608f) {
-                        phi_868_ = (_e657 - _e660);
-                        phi_869_ = false;
+                    let _e706 = phi_917_;
+                    if (_e665 < 8388608f) {
+                        phi_922_ = (_e703 - _e706);
+                        phi_923_ = false;
                     } else {
-                        phi_868_ = f32();
-                        phi_869_ = true;
+                        phi_922_ = f32();
+                        phi_923_ = true;
                     }
-                    let _e663 = phi_868_;
-                    let _e665 = phi_869_;
-                    phi_870_ = _e663;
-                    phi_871_ = _e665;
+                    let _e709 = phi_922_;
+                    let _e711 = phi_923_;
+                    phi_924_ = _e709;
+                    phi_925_ = _e711;
                 } else {
-                    phi_870_ = f32();
-                    phi_871_ = true;
+                    phi_924_ = f32();
+                    phi_925_ = true;
                 }
-                let _e667 = phi_870_;
-                let _e669 = phi_871_;
-                if _e669 {
-                    phi_875_ = _e619;
+                let _e713 = phi_924_;
+                let _e715 = phi_925_;
+                if _e715 {
+                    phi_929_ = _e665;
                 } else {
-                    phi_875_ = _e667;
-                }
-                let _e671 = phi_875_;
-                let _e672 = (_e618 - _e645);
-                let _e673 = (_e619 - _e671);
-                let _e682 = select(0i, select(select(i32(_e645), i32(-2147483648), (_e645 < bitcast<f32>(3472883712u))), 2147483647i, (_e645 > bitcast<f32>(1325400063u))), (_e645 == _e645));
-                let _e691 = select(0i, select(select(i32(_e671), i32(-2147483648), (_e671 < bitcast<f32>(3472883712u))), 2147483647i, (_e671 > bitcast<f32>(1325400063u))), (_e671 == _e671));
-                let _e694 = ((1f - _e672) * (1f - _e673));
-                let _e696 = (_e672 * (1f - _e673));
-                let _e698 = ((1f - _e672) * _e673);
-                let _e699 = (_e672 * _e673);
-                let _e701 = p.member.test;
-                let _e702 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e701);
-                let _e704 = p.member.map_size;
-                let _e706 = local_4;
-                local_1 = _e702;
-                let _e709 = ((_e706.level * _e704) * _e704);
-                let _e711 = (bitcast<i32>(_e704) - 1i);
-                if (_e682 > 0i) {
-                    phi_924_ = _e682;
-                } else {
-                    phi_924_ = 0i;
-                }
-                let _e714 = phi_924_;
-                if (_e691 > 0i) {
-                    phi_929_ = _e691;
-                } else {
-                    phi_929_ = 0i;
+                    phi_929_ = _e713;
                 }
                 let _e717 = phi_929_;
-                if (_e714 < _e711) {
-                    phi_934_ = _e714;
+                let _e718 = (_e664 - _e691);
+                let _e719 = (_e665 - _e717);
+                let _e728 = select(0i, select(select(i32(_e691), i32(-2147483648), (_e691 < bitcast<f32>(3472883712u))), 2147483647i, (_e691 > bitcast<f32>(1325400063u))), (_e691 == _e691));
+                let _e737 = select(0i, select(select(i32(_e717), i32(-2147483648), (_e717 < bitcast<f32>(3472883712u))), 2147483647i, (_e717 > bitcast<f32>(1325400063u))), (_e717 == _e717));
+                let _e740 = ((1f - _e718) * (1f - _e719));
+                let _e742 = (_e718 * (1f - _e719));
+                let _e744 = ((1f - _e718) * _e719);
+                let _e745 = (_e718 * _e719);
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_4;
+                local_1 = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
+                if (_e728 > 0i) {
+                    phi_978_ = _e728;
                 } else {
-                    phi_934_ = _e711;
+                    phi_978_ = 0i;
                 }
-                let _e720 = phi_934_;
-                if (_e717 < _e711) {
-                    phi_939_ = _e717;
+                let _e760 = phi_978_;
+                if (_e737 > 0i) {
+                    phi_983_ = _e737;
                 } else {
-                    phi_939_ = _e711;
+                    phi_983_ = 0i;
                 }
-                let _e723 = phi_939_;
-                let _e724 = bitcast<u32>(_e720);
-                let _e726 = (_e682 + 1i);
-                let _e727 = (_e691 + 1i);
-                if (_e726 > 0i) {
-                    phi_948_ = _e726;
+                let _e763 = phi_983_;
+                if (_e760 < _e757) {
+                    phi_988_ = _e760;
                 } else {
-                    phi_948_ = 0i;
+                    phi_988_ = _e757;
                 }
-                let _e730 = phi_948_;
-                if (_e727 > 0i) {
-                    phi_953_ = _e727;
+                let _e766 = phi_988_;
+                if (_e763 < _e757) {
+                    phi_993_ = _e763;
                 } else {
-                    phi_953_ = 0i;
+                    phi_993_ = _e757;
                 }
-                let _e733 = phi_953_;
-                if (_e730 < _e711) {
-                    phi_958_ = _e730;
+                let _e769 = phi_993_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e728 + 1i);
+                let _e773 = (_e737 + 1i);
+                if (_e772 > 0i) {
+                    phi_1002_ = _e772;
                 } else {
-                    phi_958_ = _e711;
+                    phi_1002_ = 0i;
                 }
-                let _e736 = phi_958_;
-                if (_e733 < _e711) {
-                    phi_963_ = _e733;
+                let _e776 = phi_1002_;
+                if (_e773 > 0i) {
+                    phi_1007_ = _e773;
                 } else {
-                    phi_963_ = _e711;
+                    phi_1007_ = 0i;
                 }
-                let _e739 = phi_963_;
-                let _e740 = bitcast<u32>(_e736);
-                let _e742 = (bitcast<u32>(_e723) * _e704);
-                let _e743 = (bitcast<u32>(_e739) * _e704);
-                let _e748 = ((_e742 + _e724) + _e709);
-                let _e749 = ((_e742 + _e740) + _e709);
-                let _e750 = ((_e743 + _e724) + _e709);
-                let _e751 = ((_e743 + _e740) + _e709);
-                if (_e748 < _e50) {
+                let _e779 = phi_1007_;
+                if (_e776 < _e757) {
+                    phi_1012_ = _e776;
+                } else {
+                    phi_1012_ = _e757;
+                }
+                let _e782 = phi_1012_;
+                if (_e779 < _e757) {
+                    phi_1017_ = _e779;
+                } else {
+                    phi_1017_ = _e757;
+                }
+                let _e785 = phi_1017_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e51) {
                 } else {
                     return;
                 }
-                let _e755 = map.member[(0u + _e748)];
-                if (_e749 < _e50) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e51) {
                 } else {
                     return;
                 }
-                let _e767 = map.member[(0u + _e749)];
-                if (_e750 < _e50) {
+                let _e813 = map.member[(0u + _e795)];
+                if (_e796 < _e51) {
                 } else {
                     return;
                 }
-                let _e783 = map.member[(0u + _e750)];
-                if (_e751 < _e50) {
+                let _e829 = map.member[(0u + _e796)];
+                if (_e797 < _e51) {
                 } else {
                     return;
                 }
-                let _e799 = map.member[(0u + _e751)];
-                let _e813 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e755.x * _e694) + (_e767.x * _e696)) + (_e783.x * _e698)) + (_e799.x * _e699)), ((((_e755.y * _e694) + (_e767.y * _e696)) + (_e783.y * _e698)) + (_e799.y * _e699)), ((((_e755.z * _e694) + (_e767.z * _e696)) + (_e783.z * _e698)) + (_e799.z * _e699)), ((((_e755.w * _e694) + (_e767.w * _e696)) + (_e783.w * _e698)) + (_e799.w * _e699))), _e608);
-                let _e815 = p.member.epsilon;
-                if (_e813 <= _e815) {
-                    phi_1058_ = true;
+                let _e845 = map.member[(0u + _e797)];
+                let _e859 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e801.x * _e740) + (_e813.x * _e742)) + (_e829.x * _e744)) + (_e845.x * _e745)), ((((_e801.y * _e740) + (_e813.y * _e742)) + (_e829.y * _e744)) + (_e845.y * _e745)), ((((_e801.z * _e740) + (_e813.z * _e742)) + (_e829.z * _e744)) + (_e845.z * _e745)), ((((_e801.w * _e740) + (_e813.w * _e742)) + (_e829.w * _e744)) + (_e845.w * _e745))), _e654);
+                let _e861 = p.member.epsilon;
+                if (_e859 <= _e861) {
+                    phi_1112_ = true;
                 } else {
-                    phi_1058_ = (_e813 >= (1f - _e815));
+                    phi_1112_ = (_e859 >= (1f - _e861));
                 }
-                let _e820 = phi_1058_;
-                if ((bitcast<u32>(_e813) & 2147483647u) > 2139095040u) {
-                    phi_1066_ = true;
+                let _e866 = phi_1112_;
+                if ((bitcast<u32>(_e859) & 2147483647u) > 2139095040u) {
+                    phi_1120_ = true;
                 } else {
-                    phi_1066_ = !(_e820);
+                    phi_1120_ = !(_e866);
                 }
-                let _e826 = phi_1066_;
-                if _e826 {
-                    if (_e813 > 0f) {
-                        if (_e813 < 1f) {
-                            phi_1078_ = false;
+                let _e872 = phi_1120_;
+                if _e872 {
+                    if (_e859 > 0f) {
+                        if (_e859 < 1f) {
+                            phi_1132_ = false;
                         } else {
-                            phi_1078_ = true;
+                            phi_1132_ = true;
                         }
-                        let _e830 = phi_1078_;
-                        phi_1079_ = _e830;
+                        let _e876 = phi_1132_;
+                        phi_1133_ = _e876;
                     } else {
-                        phi_1079_ = true;
+                        phi_1133_ = true;
                     }
-                    let _e832 = phi_1079_;
-                    if _e832 {
-                        phi_1083_ = 0.5f;
+                    let _e878 = phi_1133_;
+                    if _e878 {
+                        phi_1137_ = 0.5f;
                     } else {
-                        phi_1083_ = _e813;
+                        phi_1137_ = _e859;
                     }
-                    let _e834 = phi_1083_;
-                    phi_1091_ = evaluate_Verdict(_e834, true);
+                    let _e880 = phi_1137_;
+                    phi_1145_ = evaluate_Verdict(_e880, true);
                 } else {
-                    if (_e813 > 0.5f) {
-                        phi_1089_ = 1f;
+                    if (_e859 > 0.5f) {
+                        phi_1143_ = 1f;
                     } else {
-                        phi_1089_ = 0f;
+                        phi_1143_ = 0f;
                     }
-                    let _e838 = phi_1089_;
-                    phi_1091_ = evaluate_Verdict(_e838, false);
+                    let _e884 = phi_1143_;
+                    phi_1145_ = evaluate_Verdict(_e884, false);
                 }
-                let _e841 = phi_1091_;
-                phi_1096_ = evaluate_Verdict(_e841.visibility, _e841.is_doubted);
+                let _e887 = phi_1145_;
+                phi_1150_ = evaluate_Verdict(_e887.visibility, _e887.is_doubted);
             } else {
-                phi_1096_ = evaluate_Verdict(0.5f, true);
+                phi_1150_ = evaluate_Verdict(0.5f, true);
             }
-            let _e847 = phi_1096_;
-            phi_1097_ = _e847;
+            let _e893 = phi_1150_;
+            phi_1151_ = _e893;
         }
-        let _e849 = phi_1097_;
-        visibility.member[_e61.first_primitive] = _e849.visibility;
-        phi_1101_ = _e849.is_doubted;
-        phi_1102_ = _e61.first_primitive;
+        let _e895 = phi_1151_;
+        visibility.member[_e62.first_primitive] = _e895.visibility;
+        phi_1155_ = _e895.is_doubted;
+        phi_1156_ = _e62.first_primitive;
     } else {
-        phi_1101_ = false;
-        phi_1102_ = 0u;
+        phi_1155_ = false;
+        phi_1156_ = 0u;
     }
-    let _e854 = phi_1101_;
-    let _e856 = phi_1102_;
-    if (_e45 == 0u) {
+    let _e900 = phi_1155_;
+    let _e902 = phi_1156_;
+    if (_e46 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e854 {
-        let _e860 = atomicAdd((&shared_[0u]), 1u);
-        phi_1113_ = _e860;
+    if _e900 {
+        let _e906 = atomicAdd((&shared_[0u]), 1u);
+        phi_1167_ = _e906;
     } else {
-        phi_1113_ = 0u;
+        phi_1167_ = 0u;
     }
-    let _e862 = phi_1113_;
+    let _e908 = phi_1167_;
     workgroupBarrier();
-    if (_e45 == 0u) {
-        let _e866 = atomicLoad((&shared_[0u]));
-        let _e867 = atomicAdd((&list.member[3u]), _e866);
-        atomicStore((&shared_[1u]), _e867);
+    if (_e46 == 0u) {
+        let _e912 = atomicLoad((&shared_[0u]));
+        let _e913 = atomicAdd((&list.member[3u]), _e912);
+        atomicStore((&shared_[1u]), _e913);
     }
     workgroupBarrier();
-    if _e854 {
-        let _e870 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e870) + _e862)]), _e856);
+    if _e900 {
+        let _e916 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e916) + _e908)]), _e902);
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,18 +48,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_27 {
+struct type_30 {
     member: abi_ShadowParams,
 }
 
@@ -68,43 +77,43 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_27;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_129_: lt_bvh_traverse_Tree;
-    var phi_130_: bool;
-    var phi_131_: lt_bvh_traverse_Tree;
-    var phi_132_: bool;
-    var phi_137_: lt_bvh_traverse_Tree;
+    var phi_133_: lt_bvh_traverse_Tree;
+    var phi_134_: bool;
+    var phi_135_: lt_bvh_traverse_Tree;
+    var phi_136_: bool;
+    var phi_141_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_129_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_130_ = false;
+            phi_133_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_134_ = false;
         } else {
-            phi_129_ = lt_bvh_traverse_Tree();
-            phi_130_ = true;
+            phi_133_ = lt_bvh_traverse_Tree();
+            phi_134_ = true;
         }
-        let _e49 = phi_129_;
-        let _e51 = phi_130_;
-        phi_131_ = _e49;
-        phi_132_ = _e51;
+        let _e49 = phi_133_;
+        let _e51 = phi_134_;
+        phi_135_ = _e49;
+        phi_136_ = _e51;
     } else {
-        phi_131_ = lt_bvh_traverse_Tree();
-        phi_132_ = true;
+        phi_135_ = lt_bvh_traverse_Tree();
+        phi_136_ = true;
     }
-    let _e53 = phi_131_;
-    let _e55 = phi_132_;
+    let _e53 = phi_135_;
+    let _e55 = phi_136_;
     if _e55 {
-        phi_137_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_141_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_137_ = _e53;
+        phi_141_ = _e53;
     }
-    let _e60 = phi_137_;
+    let _e60 = phi_141_;
     return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
 }
 
@@ -113,205 +122,205 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_692_: f32;
-    var phi_693_: f32;
-    var phi_694_: f32;
-    var phi_711_: f32;
-    var phi_712_: f32;
-    var phi_713_: f32;
-    var phi_729_: f32;
-    var phi_730_: f32;
-    var phi_731_: f32;
-    var phi_747_: f32;
-    var phi_748_: f32;
-    var phi_749_: f32;
-    var phi_765_: f32;
-    var phi_766_: f32;
-    var phi_767_: f32;
-    var phi_802_: bool;
-    var phi_803_: bool;
-    var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_806_: bool;
-    var phi_807_: bool;
-    var phi_811_: bool;
-    var phi_1122_: f32;
-    var phi_1123_: f32;
-    var phi_1124_: f32;
-    var phi_1141_: f32;
-    var phi_1142_: f32;
-    var phi_1143_: f32;
-    var phi_1160_: f32;
-    var phi_1161_: f32;
-    var phi_1162_: f32;
-    var phi_1179_: f32;
-    var phi_1180_: f32;
-    var phi_1181_: f32;
-    var phi_1204_: f32;
-    var phi_1205_: f32;
-    var phi_1206_: f32;
-    var phi_1217_: f32;
+    var phi_743_: f32;
+    var phi_744_: f32;
+    var phi_745_: f32;
+    var phi_762_: f32;
+    var phi_763_: f32;
+    var phi_764_: f32;
+    var phi_780_: f32;
+    var phi_781_: f32;
+    var phi_782_: f32;
+    var phi_798_: f32;
+    var phi_799_: f32;
+    var phi_800_: f32;
+    var phi_816_: f32;
+    var phi_817_: f32;
+    var phi_818_: f32;
+    var phi_853_: bool;
+    var phi_854_: bool;
+    var phi_855_: bool;
+    var phi_856_: bool;
+    var phi_857_: bool;
+    var phi_858_: bool;
+    var phi_862_: bool;
+    var phi_1173_: f32;
+    var phi_1174_: f32;
+    var phi_1175_: f32;
+    var phi_1192_: f32;
+    var phi_1193_: f32;
+    var phi_1194_: f32;
+    var phi_1211_: f32;
+    var phi_1212_: f32;
+    var phi_1213_: f32;
+    var phi_1230_: f32;
+    var phi_1231_: f32;
     var phi_1232_: f32;
-    var phi_1234_: lt_bvh_slab_Span;
-    var phi_1292_: f32;
-    var phi_1293_: f32;
-    var phi_1294_: f32;
-    var phi_1295_: f32;
-    var phi_1296_: f32;
-    var phi_1297_: bool;
-    var phi_1301_: f32;
-    var phi_1316_: f32;
-    var phi_1317_: f32;
-    var phi_1318_: f32;
-    var phi_1319_: f32;
-    var phi_1320_: f32;
-    var phi_1321_: f32;
-    var phi_1322_: f32;
-    var phi_1323_: bool;
-    var phi_1324_: f32;
-    var phi_1325_: f32;
-    var phi_1326_: bool;
-    var phi_1330_: f32;
+    var phi_1255_: f32;
+    var phi_1256_: f32;
+    var phi_1257_: f32;
+    var phi_1268_: f32;
+    var phi_1283_: f32;
+    var phi_1285_: lt_bvh_slab_Span;
+    var phi_1343_: f32;
+    var phi_1344_: f32;
+    var phi_1345_: f32;
+    var phi_1346_: f32;
+    var phi_1347_: f32;
+    var phi_1348_: bool;
+    var phi_1352_: f32;
+    var phi_1367_: f32;
+    var phi_1368_: f32;
+    var phi_1369_: f32;
+    var phi_1370_: f32;
+    var phi_1371_: f32;
+    var phi_1372_: f32;
+    var phi_1373_: f32;
+    var phi_1374_: bool;
+    var phi_1375_: f32;
+    var phi_1376_: f32;
+    var phi_1377_: bool;
+    var phi_1381_: f32;
 
     let _e40 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_694_ = param_7;
+        phi_745_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_693_ = 0f;
+            phi_744_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_692_ = 1f;
+                phi_743_ = 1f;
             } else {
-                phi_692_ = param_7;
+                phi_743_ = param_7;
             }
-            let _e47 = phi_692_;
-            phi_693_ = _e47;
+            let _e47 = phi_743_;
+            phi_744_ = _e47;
         }
-        let _e49 = phi_693_;
-        phi_694_ = _e49;
+        let _e49 = phi_744_;
+        phi_745_ = _e49;
     }
-    let _e51 = phi_694_;
+    let _e51 = phi_745_;
     let _e52 = (_e51 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_713_ = param_5.x;
+        phi_764_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_712_ = 0f;
+            phi_763_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_711_ = 1f;
+                phi_762_ = 1f;
             } else {
-                phi_711_ = param_5.x;
+                phi_762_ = param_5.x;
             }
-            let _e60 = phi_711_;
-            phi_712_ = _e60;
+            let _e60 = phi_762_;
+            phi_763_ = _e60;
         }
-        let _e62 = phi_712_;
-        phi_713_ = _e62;
+        let _e62 = phi_763_;
+        phi_764_ = _e62;
     }
-    let _e64 = phi_713_;
+    let _e64 = phi_764_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_731_ = param_5.y;
+        phi_782_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_730_ = 0f;
+            phi_781_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_729_ = 1f;
+                phi_780_ = 1f;
             } else {
-                phi_729_ = param_5.y;
+                phi_780_ = param_5.y;
             }
-            let _e72 = phi_729_;
-            phi_730_ = _e72;
+            let _e72 = phi_780_;
+            phi_781_ = _e72;
         }
-        let _e74 = phi_730_;
-        phi_731_ = _e74;
+        let _e74 = phi_781_;
+        phi_782_ = _e74;
     }
-    let _e76 = phi_731_;
+    let _e76 = phi_782_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_749_ = param_5.z;
+        phi_800_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_748_ = 0f;
+            phi_799_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_747_ = 1f;
+                phi_798_ = 1f;
             } else {
-                phi_747_ = param_5.z;
+                phi_798_ = param_5.z;
             }
-            let _e84 = phi_747_;
-            phi_748_ = _e84;
+            let _e84 = phi_798_;
+            phi_799_ = _e84;
         }
-        let _e86 = phi_748_;
-        phi_749_ = _e86;
+        let _e86 = phi_799_;
+        phi_800_ = _e86;
     }
-    let _e88 = phi_749_;
+    let _e88 = phi_800_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_767_ = param_5.w;
+        phi_818_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_766_ = 0f;
+            phi_817_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_765_ = 1f;
+                phi_816_ = 1f;
             } else {
-                phi_765_ = param_5.w;
+                phi_816_ = param_5.w;
             }
-            let _e96 = phi_765_;
-            phi_766_ = _e96;
+            let _e96 = phi_816_;
+            phi_817_ = _e96;
         }
-        let _e98 = phi_766_;
-        phi_767_ = _e98;
+        let _e98 = phi_817_;
+        phi_818_ = _e98;
     }
-    let _e100 = phi_767_;
+    let _e100 = phi_818_;
     let _e101 = (_e64 - _e52);
     let _e102 = (_e76 - _e52);
     let _e103 = (_e88 - _e52);
     let _e104 = (_e100 - _e52);
     let _e115 = ((((_e101 * param_6.x) + (_e102 * param_6.y)) + (_e103 * param_6.z)) + (_e104 * param_6.w));
     if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
-        phi_1324_ = _e115;
-        phi_1325_ = f32();
-        phi_1326_ = true;
+        phi_1375_ = _e115;
+        phi_1376_ = f32();
+        phi_1377_ = true;
     } else {
         if (_e101 >= 0f) {
             if (_e102 >= 0f) {
                 if (_e103 >= 0f) {
-                    phi_802_ = (_e104 >= 0f);
-                    phi_803_ = false;
+                    phi_853_ = (_e104 >= 0f);
+                    phi_854_ = false;
                 } else {
-                    phi_802_ = bool();
-                    phi_803_ = true;
+                    phi_853_ = bool();
+                    phi_854_ = true;
                 }
-                let _e124 = phi_802_;
-                let _e126 = phi_803_;
-                phi_804_ = _e124;
-                phi_805_ = _e126;
+                let _e124 = phi_853_;
+                let _e126 = phi_854_;
+                phi_855_ = _e124;
+                phi_856_ = _e126;
             } else {
-                phi_804_ = bool();
-                phi_805_ = true;
+                phi_855_ = bool();
+                phi_856_ = true;
             }
-            let _e128 = phi_804_;
-            let _e130 = phi_805_;
-            phi_806_ = _e128;
-            phi_807_ = _e130;
+            let _e128 = phi_855_;
+            let _e130 = phi_856_;
+            phi_857_ = _e128;
+            phi_858_ = _e130;
         } else {
-            phi_806_ = bool();
-            phi_807_ = true;
+            phi_857_ = bool();
+            phi_858_ = true;
         }
-        let _e132 = phi_806_;
-        let _e134 = phi_807_;
+        let _e132 = phi_857_;
+        let _e134 = phi_858_;
         if _e134 {
-            phi_811_ = false;
+            phi_862_ = false;
         } else {
-            phi_811_ = _e132;
+            phi_862_ = _e132;
         }
-        let _e136 = phi_811_;
+        let _e136 = phi_862_;
         if _e136 {
-            phi_1321_ = 1f;
-            phi_1322_ = f32();
-            phi_1323_ = true;
+            phi_1372_ = 1f;
+            phi_1373_ = f32();
+            phi_1374_ = true;
         } else {
             let _e137 = (0.5f * _e40);
             let _e138 = (1f - _e40);
@@ -391,252 +400,258 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e424 = (_e418 < 0.0000000000000000000000000000000001f);
             if _e424 {
                 if ((bitcast<u32>(_e101) & 2147483647u) > 2139095040u) {
-                    phi_1124_ = _e101;
+                    phi_1175_ = _e101;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_1123_ = 0f;
+                        phi_1174_ = 0f;
                     } else {
                         if (_e101 < 0f) {
-                            phi_1122_ = 0f;
+                            phi_1173_ = 0f;
                         } else {
-                            phi_1122_ = 1f;
+                            phi_1173_ = 1f;
                         }
-                        let _e433 = phi_1122_;
-                        phi_1123_ = _e433;
+                        let _e433 = phi_1173_;
+                        phi_1174_ = _e433;
                     }
-                    let _e435 = phi_1123_;
-                    phi_1124_ = _e435;
+                    let _e435 = phi_1174_;
+                    phi_1175_ = _e435;
                 }
-                let _e437 = phi_1124_;
+                let _e437 = phi_1175_;
                 if ((bitcast<u32>(_e102) & 2147483647u) > 2139095040u) {
-                    phi_1143_ = _e102;
+                    phi_1194_ = _e102;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_1142_ = 0f;
+                        phi_1193_ = 0f;
                     } else {
                         if (_e102 < 0f) {
-                            phi_1141_ = 0f;
+                            phi_1192_ = 0f;
                         } else {
-                            phi_1141_ = 1f;
+                            phi_1192_ = 1f;
                         }
-                        let _e446 = phi_1141_;
-                        phi_1142_ = _e446;
+                        let _e446 = phi_1192_;
+                        phi_1193_ = _e446;
                     }
-                    let _e448 = phi_1142_;
-                    phi_1143_ = _e448;
+                    let _e448 = phi_1193_;
+                    phi_1194_ = _e448;
                 }
-                let _e450 = phi_1143_;
+                let _e450 = phi_1194_;
                 if ((bitcast<u32>(_e103) & 2147483647u) > 2139095040u) {
-                    phi_1162_ = _e103;
+                    phi_1213_ = _e103;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_1161_ = 0f;
+                        phi_1212_ = 0f;
                     } else {
                         if (_e103 < 0f) {
-                            phi_1160_ = 0f;
+                            phi_1211_ = 0f;
                         } else {
-                            phi_1160_ = 1f;
+                            phi_1211_ = 1f;
                         }
-                        let _e459 = phi_1160_;
-                        phi_1161_ = _e459;
+                        let _e459 = phi_1211_;
+                        phi_1212_ = _e459;
                     }
-                    let _e461 = phi_1161_;
-                    phi_1162_ = _e461;
+                    let _e461 = phi_1212_;
+                    phi_1213_ = _e461;
                 }
-                let _e463 = phi_1162_;
+                let _e463 = phi_1213_;
                 if ((bitcast<u32>(_e104) & 2147483647u) > 2139095040u) {
-                    phi_1181_ = _e104;
+                    phi_1232_ = _e104;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_1180_ = 0f;
+                        phi_1231_ = 0f;
                     } else {
                         if (_e104 < 0f) {
-                            phi_1179_ = 0f;
+                            phi_1230_ = 0f;
                         } else {
-                            phi_1179_ = 1f;
+                            phi_1230_ = 1f;
                         }
-                        let _e472 = phi_1179_;
-                        phi_1180_ = _e472;
+                        let _e472 = phi_1230_;
+                        phi_1231_ = _e472;
                     }
-                    let _e474 = phi_1180_;
-                    phi_1181_ = _e474;
+                    let _e474 = phi_1231_;
+                    phi_1232_ = _e474;
                 }
-                let _e476 = phi_1181_;
+                let _e476 = phi_1232_;
                 let _e484 = (((((_e437 * _e140) + (_e450 * _e142)) + (_e463 * _e144)) + (_e476 * _e146)) + _e137);
                 if ((bitcast<u32>(_e484) & 2147483647u) > 2139095040u) {
-                    phi_1206_ = _e484;
+                    phi_1257_ = _e484;
                 } else {
                     if (_e484 < 0f) {
-                        phi_1205_ = 0f;
+                        phi_1256_ = 0f;
                     } else {
                         if (_e484 > 1f) {
-                            phi_1204_ = 1f;
+                            phi_1255_ = 1f;
                         } else {
-                            phi_1204_ = _e484;
+                            phi_1255_ = _e484;
                         }
-                        let _e491 = phi_1204_;
-                        phi_1205_ = _e491;
+                        let _e491 = phi_1255_;
+                        phi_1256_ = _e491;
                     }
-                    let _e493 = phi_1205_;
-                    phi_1206_ = _e493;
+                    let _e493 = phi_1256_;
+                    phi_1257_ = _e493;
                 }
-                let _e495 = phi_1206_;
-                phi_1319_ = _e495;
-                phi_1320_ = f32();
+                let _e495 = phi_1257_;
+                phi_1370_ = _e495;
+                phi_1371_ = f32();
             } else {
                 let _e497 = ((0.5f * -(((((((((_e201 * (_e101 + _e102)) + (_e205 * (_e101 + _e103))) + (_e229 * (_e101 + _e147))) + (_e241 * (_e101 + _e148))) + ((((_e202 * (_e102 + _e103)) + (_e206 * (_e102 + _e104))) + (_e230 * (_e102 + _e147))) + (_e242 * (_e102 + _e148)))) + ((((_e203 * (_e103 + _e104)) + (_e207 * (_e103 + _e101))) + (_e231 * (_e103 + _e147))) + (_e243 * (_e103 + _e148)))) + ((((_e204 * (_e104 + _e101)) + (_e208 * (_e104 + _e102))) + (_e232 * (_e104 + _e147))) + (_e244 * (_e104 + _e148)))) + (_e415 * (_e147 + _e148))))) / _e418);
                 let _e498 = ((((((((_e201 + _e205) + _e229) + _e241) + (((_e202 + _e206) + _e230) + _e242)) + (((_e203 + _e207) + _e231) + _e243)) + (((_e204 + _e208) + _e232) + _e244)) + _e415) / _e418);
                 let _e500 = ((_e497 * _e497) - _e498);
                 if (_e500 > 0f) {
-                    phi_1217_ = sqrt(_e500);
+                    phi_1268_ = sqrt(_e500);
                 } else {
-                    phi_1217_ = 0f;
+                    phi_1268_ = 0f;
                 }
-                let _e504 = phi_1217_;
+                let _e504 = phi_1268_;
                 if (_e497 > 0f) {
                     let _e507 = (-(_e497) - _e504);
-                    phi_1234_ = lt_bvh_slab_Span(_e507, (_e498 / _e507));
+                    phi_1285_ = lt_bvh_slab_Span(_e507, (_e498 / _e507));
                 } else {
                     let _e510 = (_e504 - _e497);
                     if (_e510 > 0f) {
-                        phi_1232_ = (_e498 / _e510);
+                        phi_1283_ = (_e498 / _e510);
                     } else {
-                        phi_1232_ = 0f;
+                        phi_1283_ = 0f;
                     }
-                    let _e514 = phi_1232_;
-                    phi_1234_ = lt_bvh_slab_Span(_e514, _e510);
+                    let _e514 = phi_1283_;
+                    phi_1285_ = lt_bvh_slab_Span(_e514, _e510);
                 }
-                let _e517 = phi_1234_;
+                let _e517 = phi_1285_;
                 if (_e517.near >= 0f) {
-                    phi_1295_ = 1f;
-                    phi_1296_ = f32();
-                    phi_1297_ = true;
+                    phi_1346_ = 1f;
+                    phi_1347_ = f32();
+                    phi_1348_ = true;
                 } else {
                     let _e521 = (_e517.far <= 0f);
                     if _e521 {
-                        phi_1293_ = (_e412 / _e418);
-                        phi_1294_ = f32();
+                        phi_1344_ = (_e412 / _e418);
+                        phi_1345_ = f32();
                     } else {
                         let _e532 = (((((_e140 * _e101) + (_e142 * _e102)) + (_e144 * _e103)) + (_e146 * _e104)) + (_e137 * (_e147 + _e148)));
                         let _e548 = (((((_e140 * (_e101 * _e101)) + (_e142 * (_e102 * _e102))) + (_e144 * (_e103 * _e103))) + (_e146 * (_e104 * _e104))) + (_e137 * ((_e147 * _e147) + (_e148 * _e148))));
                         if (-(_e517.near) <= _e517.far) {
-                            phi_1292_ = (1f - (((_e517.near * _e517.near) * ((_e517.far * _e548) - _e532)) / (_e517.far - _e517.near)));
+                            phi_1343_ = (1f - (((_e517.near * _e517.near) * ((_e517.far * _e548) - _e532)) / (_e517.far - _e517.near)));
                         } else {
-                            phi_1292_ = ((_e412 / _e418) + (((_e517.far * _e517.far) * (_e532 - (_e517.near * _e548))) / (_e517.far - _e517.near)));
+                            phi_1343_ = ((_e412 / _e418) + (((_e517.far * _e517.far) * (_e532 - (_e517.near * _e548))) / (_e517.far - _e517.near)));
                         }
-                        let _e567 = phi_1292_;
-                        phi_1293_ = f32();
-                        phi_1294_ = _e567;
+                        let _e567 = phi_1343_;
+                        phi_1344_ = f32();
+                        phi_1345_ = _e567;
                     }
-                    let _e569 = phi_1293_;
-                    let _e571 = phi_1294_;
-                    phi_1295_ = _e569;
-                    phi_1296_ = _e571;
-                    phi_1297_ = _e521;
+                    let _e569 = phi_1344_;
+                    let _e571 = phi_1345_;
+                    phi_1346_ = _e569;
+                    phi_1347_ = _e571;
+                    phi_1348_ = _e521;
                 }
-                let _e573 = phi_1295_;
-                let _e575 = phi_1296_;
-                let _e577 = phi_1297_;
+                let _e573 = phi_1346_;
+                let _e575 = phi_1347_;
+                let _e577 = phi_1348_;
                 if _e577 {
-                    phi_1301_ = _e573;
+                    phi_1352_ = _e573;
                 } else {
-                    phi_1301_ = _e575;
+                    phi_1352_ = _e575;
                 }
-                let _e579 = phi_1301_;
+                let _e579 = phi_1352_;
                 if ((bitcast<u32>(_e579) & 2147483647u) > 2139095040u) {
-                    phi_1318_ = _e579;
+                    phi_1369_ = _e579;
                 } else {
                     if (_e579 < 0f) {
-                        phi_1317_ = 0f;
+                        phi_1368_ = 0f;
                     } else {
                         if (_e579 > 1f) {
-                            phi_1316_ = 1f;
+                            phi_1367_ = 1f;
                         } else {
-                            phi_1316_ = _e579;
+                            phi_1367_ = _e579;
                         }
-                        let _e586 = phi_1316_;
-                        phi_1317_ = _e586;
+                        let _e586 = phi_1367_;
+                        phi_1368_ = _e586;
                     }
-                    let _e588 = phi_1317_;
-                    phi_1318_ = _e588;
+                    let _e588 = phi_1368_;
+                    phi_1369_ = _e588;
                 }
-                let _e590 = phi_1318_;
-                phi_1319_ = f32();
-                phi_1320_ = _e590;
+                let _e590 = phi_1369_;
+                phi_1370_ = f32();
+                phi_1371_ = _e590;
             }
-            let _e592 = phi_1319_;
-            let _e594 = phi_1320_;
-            phi_1321_ = _e592;
-            phi_1322_ = _e594;
-            phi_1323_ = _e424;
+            let _e592 = phi_1370_;
+            let _e594 = phi_1371_;
+            phi_1372_ = _e592;
+            phi_1373_ = _e594;
+            phi_1374_ = _e424;
         }
-        let _e596 = phi_1321_;
-        let _e598 = phi_1322_;
-        let _e600 = phi_1323_;
-        phi_1324_ = _e596;
-        phi_1325_ = _e598;
-        phi_1326_ = _e600;
+        let _e596 = phi_1372_;
+        let _e598 = phi_1373_;
+        let _e600 = phi_1374_;
+        phi_1375_ = _e596;
+        phi_1376_ = _e598;
+        phi_1377_ = _e600;
     }
-    let _e602 = phi_1324_;
-    let _e604 = phi_1325_;
-    let _e606 = phi_1326_;
+    let _e602 = phi_1375_;
+    let _e604 = phi_1376_;
+    let _e606 = phi_1377_;
     if _e606 {
-        phi_1330_ = _e602;
+        phi_1381_ = _e602;
     } else {
-        phi_1330_ = _e604;
+        phi_1381_ = _e604;
     }
-    let _e608 = phi_1330_;
+    let _e608 = phi_1381_;
     return _e608;
 }
 
 fn function_() {
     var local: f32;
-    var phi_200_: bool;
-    var phi_201_: bool;
-    var phi_202_: bool;
     var phi_203_: bool;
-    var phi_207_: bool;
-    var phi_251_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_255_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_329_: bool;
-    var phi_338_: bool;
-    var phi_347_: bool;
-    var phi_348_: bool;
-    var phi_349_: bool;
-    var phi_350_: bool;
-    var phi_351_: bool;
-    var phi_352_: bool;
-    var phi_353_: bool;
-    var phi_357_: bool;
-    var phi_447_: f32;
-    var phi_450_: f32;
-    var phi_479_: f32;
-    var phi_484_: f32;
-    var phi_485_: bool;
-    var phi_486_: f32;
-    var phi_487_: bool;
-    var phi_491_: f32;
-    var phi_511_: f32;
-    var phi_516_: f32;
-    var phi_517_: bool;
-    var phi_518_: f32;
-    var phi_519_: bool;
-    var phi_523_: f32;
-    var phi_571_: i32;
-    var phi_576_: i32;
-    var phi_581_: i32;
-    var phi_586_: i32;
-    var phi_595_: i32;
-    var phi_600_: i32;
-    var phi_605_: i32;
-    var phi_610_: i32;
-    var phi_655_: evaluate_Verdict;
-    var phi_656_: evaluate_Verdict;
-    var phi_657_: bool;
-    var phi_658_: evaluate_Verdict;
-    var phi_659_: evaluate_Verdict;
-    var phi_660_: bool;
-    var phi_664_: evaluate_Verdict;
+    var phi_204_: bool;
+    var phi_205_: bool;
+    var phi_206_: bool;
+    var phi_210_: bool;
+    var phi_280_: bool;
+    var phi_281_: bool;
+    var phi_292_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_293_: bool;
+    var phi_294_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_295_: bool;
+    var phi_302_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_306_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_380_: bool;
+    var phi_389_: bool;
+    var phi_398_: bool;
+    var phi_399_: bool;
+    var phi_400_: bool;
+    var phi_401_: bool;
+    var phi_402_: bool;
+    var phi_403_: bool;
+    var phi_404_: bool;
+    var phi_408_: bool;
+    var phi_498_: f32;
+    var phi_501_: f32;
+    var phi_530_: f32;
+    var phi_535_: f32;
+    var phi_536_: bool;
+    var phi_537_: f32;
+    var phi_538_: bool;
+    var phi_542_: f32;
+    var phi_562_: f32;
+    var phi_567_: f32;
+    var phi_568_: bool;
+    var phi_569_: f32;
+    var phi_570_: bool;
+    var phi_574_: f32;
+    var phi_622_: i32;
+    var phi_627_: i32;
+    var phi_632_: i32;
+    var phi_637_: i32;
+    var phi_646_: i32;
+    var phi_651_: i32;
+    var phi_656_: i32;
+    var phi_661_: i32;
+    var phi_706_: evaluate_Verdict;
+    var phi_707_: evaluate_Verdict;
+    var phi_708_: bool;
+    var phi_709_: evaluate_Verdict;
+    var phi_710_: evaluate_Verdict;
+    var phi_711_: bool;
+    var phi_715_: evaluate_Verdict;
 
     let _e37 = id_1;
     let _e44 = arrayLength((&map.member));
@@ -650,319 +665,358 @@ fn function_() {
             return;
         }
         let _e63 = lt_math_OneLevel(_e59);
-        let _e65 = p.member.light;
-        let _e68 = samples.member[(0u + _e53.first_primitive)].normal[0u];
-        let _e70 = global[0u];
-        if (_e68 == _e70) {
-            let _e73 = samples.member[(0u + _e53.first_primitive)].normal[1u];
-            let _e75 = global[1u];
-            if (_e73 == _e75) {
-                let _e78 = samples.member[(0u + _e53.first_primitive)].normal[2u];
-                let _e80 = global[2u];
-                phi_200_ = (_e78 == _e80);
-                phi_201_ = false;
+        let _e67 = samples.member[(0u + _e53.first_primitive)].normal[0u];
+        let _e69 = global[0u];
+        if (_e67 == _e69) {
+            let _e72 = samples.member[(0u + _e53.first_primitive)].normal[1u];
+            let _e74 = global[1u];
+            if (_e72 == _e74) {
+                let _e77 = samples.member[(0u + _e53.first_primitive)].normal[2u];
+                let _e79 = global[2u];
+                phi_203_ = (_e77 == _e79);
+                phi_204_ = false;
             } else {
-                phi_200_ = bool();
-                phi_201_ = true;
+                phi_203_ = bool();
+                phi_204_ = true;
             }
-            let _e83 = phi_200_;
-            let _e85 = phi_201_;
-            phi_202_ = _e83;
-            phi_203_ = _e85;
+            let _e82 = phi_203_;
+            let _e84 = phi_204_;
+            phi_205_ = _e82;
+            phi_206_ = _e84;
         } else {
-            phi_202_ = bool();
-            phi_203_ = true;
+            phi_205_ = bool();
+            phi_206_ = true;
         }
-        let _e87 = phi_202_;
-        let _e89 = phi_203_;
-        if _e89 {
-            phi_207_ = false;
+        let _e86 = phi_205_;
+        let _e88 = phi_206_;
+        if _e88 {
+            phi_210_ = false;
         } else {
-            phi_207_ = _e87;
+            phi_210_ = _e86;
         }
-        let _e91 = phi_207_;
-        if !(_e91) {
-            let _e94 = samples.member[(0u + _e53.first_primitive)].normal;
-            let _e96 = samples.member[(0u + _e53.first_primitive)].position;
-            if ((((_e94.x * (_e65.x - (_e96.x * _e65.w))) + (_e94.y * (_e65.y - (_e96.y * _e65.w)))) + (_e94.z * (_e65.z - (_e96.z * _e65.w)))) > 0f) {
-                let _e120 = samples.member[(0u + _e53.first_primitive)].flags;
-                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e128.unnamed.visibility, false), _e128.unnamed_1);
-                phi_251_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e134.unnamed, ((_e120 & 1u) == 0u));
-            } else {
-                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
-                phi_251_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, true);
-            }
-            let _e154 = phi_251_;
-            phi_255_ = _e154;
-        } else {
-            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
-            phi_255_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, true);
-        }
-        let _e171 = phi_255_;
-        if _e171.unnamed_1 {
-            phi_658_ = evaluate_Verdict(_e171.unnamed.visibility, _e171.unnamed.is_doubted);
-            phi_659_ = evaluate_Verdict();
-            phi_660_ = true;
-        } else {
-            let _e179 = samples.member[(0u + _e53.first_primitive)].position;
-            let _e197 = ((((_e63.projection.row_w.x * _e179.x) + (_e63.projection.row_w.y * _e179.y)) + (_e63.projection.row_w.z * _e179.z)) + (_e63.projection.row_w.w * 1f));
-            let _e211 = (((((_e63.projection.row_x.x * _e179.x) + (_e63.projection.row_x.y * _e179.y)) + (_e63.projection.row_x.z * _e179.z)) + (_e63.projection.row_x.w * 1f)) / _e197);
-            let _e225 = (((((_e63.projection.row_y.x * _e179.x) + (_e63.projection.row_y.y * _e179.y)) + (_e63.projection.row_y.z * _e179.z)) + (_e63.projection.row_y.w * 1f)) / _e197);
-            let _e238 = ((((_e63.projection.row_z.x * _e179.x) + (_e63.projection.row_z.y * _e179.y)) + (_e63.projection.row_z.z * _e179.z)) + (_e63.projection.row_z.w * 1f));
-            if (_e197 > 0f) {
-                if (_e211 >= 0f) {
-                    phi_329_ = (_e211 <= 1f);
+        let _e90 = phi_210_;
+        if !(_e90) {
+            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e95 = p.member.light.place;
+            let _e101 = p.member.light.place[3u];
+            let _e108 = (_e95.x - (_e93.x * _e101));
+            let _e109 = (_e95.y - (_e93.y * _e101));
+            let _e110 = (_e95.z - (_e93.z * _e101));
+            let _e112 = samples.member[(0u + _e53.first_primitive)].normal;
+            if ((((_e112.x * _e108) + (_e112.y * _e109)) + (_e112.z * _e110)) > 0f) {
+                let _e126 = (((_e108 * _e108) + (_e109 * _e109)) + (_e110 * _e110));
+                let _e128 = p.member.light.axis;
+                let _e140 = p.member.light.place[3u];
+                if (_e140 == 0f) {
+                    phi_281_ = true;
                 } else {
-                    phi_329_ = false;
-                }
-                let _e243 = phi_329_;
-                if _e243 {
-                    if (_e225 >= 0f) {
-                        phi_338_ = (_e225 <= 1f);
+                    let _e143 = p.member.light.range_squared;
+                    if (_e126 <= _e143) {
+                        let _e146 = p.member.light.cos_outer;
+                        phi_280_ = (-((((_e108 * _e128.x) + (_e109 * _e128.y)) + (_e110 * _e128.z))) >= (_e146 * sqrt(_e126)));
                     } else {
-                        phi_338_ = false;
+                        phi_280_ = false;
                     }
-                    let _e247 = phi_338_;
-                    if _e247 {
-                        if (_e238 >= 0f) {
-                            phi_347_ = (_e238 <= 1f);
+                    let _e151 = phi_280_;
+                    phi_281_ = _e151;
+                }
+                let _e153 = phi_281_;
+                if _e153 {
+                    let _e155 = samples.member[(0u + _e53.first_primitive)].flags;
+                    let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e163.unnamed.visibility, false), _e163.unnamed_1);
+                    phi_292_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e169.unnamed, ((_e155 & 1u) == 0u));
+                    phi_293_ = false;
+                } else {
+                    phi_292_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_293_ = true;
+                }
+                let _e174 = phi_292_;
+                let _e176 = phi_293_;
+                phi_294_ = _e174;
+                phi_295_ = _e176;
+            } else {
+                phi_294_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_295_ = true;
+            }
+            let _e178 = phi_294_;
+            let _e180 = phi_295_;
+            if _e180 {
+                let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
+                phi_302_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, true);
+            } else {
+                phi_302_ = _e178;
+            }
+            let _e197 = phi_302_;
+            phi_306_ = _e197;
+        } else {
+            let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
+            phi_306_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
+        }
+        let _e214 = phi_306_;
+        if _e214.unnamed_1 {
+            phi_709_ = evaluate_Verdict(_e214.unnamed.visibility, _e214.unnamed.is_doubted);
+            phi_710_ = evaluate_Verdict();
+            phi_711_ = true;
+        } else {
+            let _e222 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e240 = ((((_e63.projection.row_w.x * _e222.x) + (_e63.projection.row_w.y * _e222.y)) + (_e63.projection.row_w.z * _e222.z)) + (_e63.projection.row_w.w * 1f));
+            let _e254 = (((((_e63.projection.row_x.x * _e222.x) + (_e63.projection.row_x.y * _e222.y)) + (_e63.projection.row_x.z * _e222.z)) + (_e63.projection.row_x.w * 1f)) / _e240);
+            let _e268 = (((((_e63.projection.row_y.x * _e222.x) + (_e63.projection.row_y.y * _e222.y)) + (_e63.projection.row_y.z * _e222.z)) + (_e63.projection.row_y.w * 1f)) / _e240);
+            let _e281 = ((((_e63.projection.row_z.x * _e222.x) + (_e63.projection.row_z.y * _e222.y)) + (_e63.projection.row_z.z * _e222.z)) + (_e63.projection.row_z.w * 1f));
+            if (_e240 > 0f) {
+                if (_e254 >= 0f) {
+                    phi_380_ = (_e254 <= 1f);
+                } else {
+                    phi_380_ = false;
+                }
+                let _e286 = phi_380_;
+                if _e286 {
+                    if (_e268 >= 0f) {
+                        phi_389_ = (_e268 <= 1f);
+                    } else {
+                        phi_389_ = false;
+                    }
+                    let _e290 = phi_389_;
+                    if _e290 {
+                        if (_e281 >= 0f) {
+                            phi_398_ = (_e281 <= 1f);
                         } else {
-                            phi_347_ = false;
+                            phi_398_ = false;
                         }
-                        let _e251 = phi_347_;
-                        phi_348_ = _e251;
-                        phi_349_ = false;
+                        let _e294 = phi_398_;
+                        phi_399_ = _e294;
+                        phi_400_ = false;
                     } else {
-                        phi_348_ = bool();
-                        phi_349_ = true;
+                        phi_399_ = bool();
+                        phi_400_ = true;
                     }
-                    let _e253 = phi_348_;
-                    let _e255 = phi_349_;
-                    phi_350_ = _e253;
-                    phi_351_ = _e255;
+                    let _e296 = phi_399_;
+                    let _e298 = phi_400_;
+                    phi_401_ = _e296;
+                    phi_402_ = _e298;
                 } else {
-                    phi_350_ = bool();
-                    phi_351_ = true;
+                    phi_401_ = bool();
+                    phi_402_ = true;
                 }
-                let _e257 = phi_350_;
-                let _e259 = phi_351_;
-                phi_352_ = _e257;
-                phi_353_ = _e259;
+                let _e300 = phi_401_;
+                let _e302 = phi_402_;
+                phi_403_ = _e300;
+                phi_404_ = _e302;
             } else {
-                phi_352_ = bool();
-                phi_353_ = true;
+                phi_403_ = bool();
+                phi_404_ = true;
             }
-            let _e261 = phi_352_;
-            let _e263 = phi_353_;
-            if _e263 {
-                phi_357_ = false;
+            let _e304 = phi_403_;
+            let _e306 = phi_404_;
+            if _e306 {
+                phi_408_ = false;
             } else {
-                phi_357_ = _e261;
+                phi_408_ = _e304;
             }
-            let _e265 = phi_357_;
-            if _e265 {
+            let _e308 = phi_408_;
+            if _e308 {
                 if (0f > 0f) {
-                    let _e268 = samples.member[(0u + _e53.first_primitive)].normal;
-                    let _e270 = p.member.map_size;
-                    let _e340 = ((abs(((((_e59.row_x.x * _e268.x) + (_e59.row_x.y * _e268.y)) + (_e59.row_x.z * _e268.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e268.x) + (_e59.row_y.y * _e268.y)) + (_e59.row_y.z * _e268.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e268.x) + (_e59.row_z.y * _e268.y)) + (_e59.row_z.z * _e268.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e270)));
-                    if (_e340 < 0.002f) {
-                        phi_447_ = _e340;
+                    let _e311 = samples.member[(0u + _e53.first_primitive)].normal;
+                    let _e313 = p.member.map_size;
+                    let _e383 = ((abs(((((_e59.row_x.x * _e311.x) + (_e59.row_x.y * _e311.y)) + (_e59.row_x.z * _e311.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e311.x) + (_e59.row_y.y * _e311.y)) + (_e59.row_y.z * _e311.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e311.x) + (_e59.row_z.y * _e311.y)) + (_e59.row_z.z * _e311.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e313)));
+                    if (_e383 < 0.002f) {
+                        phi_498_ = _e383;
                     } else {
-                        phi_447_ = 0.002f;
+                        phi_498_ = 0.002f;
                     }
-                    let _e343 = phi_447_;
-                    phi_450_ = (_e238 - (0f * _e343));
+                    let _e386 = phi_498_;
+                    phi_501_ = (_e281 - (0f * _e386));
                 } else {
-                    phi_450_ = _e238;
+                    phi_501_ = _e281;
                 }
-                let _e347 = phi_450_;
-                let _e349 = p.member.map_size;
-                let _e350 = f32(_e349);
-                let _e353 = ((_e211 * _e350) - 0.5f);
-                let _e354 = ((_e225 * _e350) - 0.5f);
-                if (_e353 > -8388608f) {
-                    let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
-                    if (_e366 > _e353) {
-                        phi_479_ = 1f;
+                let _e390 = phi_501_;
+                let _e392 = p.member.map_size;
+                let _e393 = f32(_e392);
+                let _e396 = ((_e254 * _e393) - 0.5f);
+                let _e397 = ((_e268 * _e393) - 0.5f);
+                if (_e396 > -8388608f) {
+                    let _e409 = f32(select(0i, select(select(i32(_e396), i32(-2147483648), (_e396 < bitcast<f32>(3472883712u))), 2147483647i, (_e396 > bitcast<f32>(1325400063u))), (_e396 == _e396)));
+                    if (_e409 > _e396) {
+                        phi_530_ = 1f;
                     } else {
-                        phi_479_ = 0f;
+                        phi_530_ = 0f;
                     }
-                    let _e369 = phi_479_;
-                    if (_e353 < 8388608f) {
-                        phi_484_ = (_e366 - _e369);
-                        phi_485_ = false;
+                    let _e412 = phi_530_;
+                    if (_e396 < 8388608f) {
+                        phi_535_ = (_e409 - _e412);
+                        phi_536_ = false;
                     } else {
-                        phi_484_ = f32();
-                        phi_485_ = true;
+                        phi_535_ = f32();
+                        phi_536_ = true;
                     }
-                    let _e372 = phi_484_;
-                    let _e374 = phi_485_;
-                    phi_486_ = _e372;
-                    phi_487_ = _e374;
+                    let _e415 = phi_535_;
+                    let _e417 = phi_536_;
+                    phi_537_ = _e415;
+                    phi_538_ = _e417;
                 } else {
-                    phi_486_ = f32();
-                    phi_487_ = true;
+                    phi_537_ = f32();
+                    phi_538_ = true;
                 }
-                let _e376 = phi_486_;
-                let _e378 = phi_487_;
-                if _e378 {
-                    phi_491_ = _e353;
+                let _e419 = phi_537_;
+                let _e421 = phi_538_;
+                if _e421 {
+                    phi_542_ = _e396;
                 } else {
-                    phi_491_ = _e376;
+                    phi_542_ = _e419;
                 }
-                let _e380 = phi_491_;
-                if (_e354 > -8388608f) {
-                    let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
-                    if (_e392 > _e354) {
-                        phi_511_ = 1f;
+                let _e423 = phi_542_;
+                if (_e397 > -8388608f) {
+                    let _e435 = f32(select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)));
+                    if (_e435 > _e397) {
+                        phi_562_ = 1f;
                     } else {
-                        phi_511_ = 0f;
+                        phi_562_ = 0f;
                     }
-                    let _e395 = phi_511_;
-                    if (_e354 < 8388608f) {
-                        phi_516_ = (_e392 - _e395);
-                        phi_517_ = false;
+                    let _e438 = phi_562_;
+                    if (_e397 < 8388608f) {
+                        phi_567_ = (_e435 - _e438);
+                        phi_568_ = false;
                     } else {
-                        phi_516_ = f32();
-                        phi_517_ = true;
+                        phi_567_ = f32();
+                        phi_568_ = true;
                     }
-                    let _e398 = phi_516_;
-                    let _e400 = phi_517_;
-                    phi_518_ = _e398;
-                    phi_519_ = _e400;
+                    let _e441 = phi_567_;
+                    let _e443 = phi_568_;
+                    phi_569_ = _e441;
+                    phi_570_ = _e443;
                 } else {
-                    phi_518_ = f32();
-                    phi_519_ = true;
+                    phi_569_ = f32();
+                    phi_570_ = true;
                 }
-                let _e402 = phi_518_;
-                let _e404 = phi_519_;
-                if _e404 {
-                    phi_523_ = _e354;
+                let _e445 = phi_569_;
+                let _e447 = phi_570_;
+                if _e447 {
+                    phi_574_ = _e397;
                 } else {
-                    phi_523_ = _e402;
+                    phi_574_ = _e445;
                 }
-                let _e406 = phi_523_;
-                let _e407 = (_e353 - _e380);
-                let _e408 = (_e354 - _e406);
-                let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
-                let _e426 = select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406));
-                let _e437 = p.member.test;
-                let _e438 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e437);
-                let _e440 = p.member.map_size;
-                local = _e438;
-                let _e442 = ((0u * _e440) * _e440);
-                let _e444 = (bitcast<i32>(_e440) - 1i);
-                if (_e417 > 0i) {
-                    phi_571_ = _e417;
-                } else {
-                    phi_571_ = 0i;
-                }
-                let _e447 = phi_571_;
-                if (_e426 > 0i) {
-                    phi_576_ = _e426;
-                } else {
-                    phi_576_ = 0i;
-                }
-                let _e450 = phi_576_;
-                if (_e447 < _e444) {
-                    phi_581_ = _e447;
-                } else {
-                    phi_581_ = _e444;
-                }
-                let _e453 = phi_581_;
-                if (_e450 < _e444) {
-                    phi_586_ = _e450;
-                } else {
-                    phi_586_ = _e444;
-                }
-                let _e456 = phi_586_;
-                let _e457 = bitcast<u32>(_e453);
-                let _e459 = (_e417 + 1i);
-                let _e460 = (_e426 + 1i);
-                if (_e459 > 0i) {
-                    phi_595_ = _e459;
-                } else {
-                    phi_595_ = 0i;
-                }
-                let _e463 = phi_595_;
+                let _e449 = phi_574_;
+                let _e450 = (_e396 - _e423);
+                let _e451 = (_e397 - _e449);
+                let _e460 = select(0i, select(select(i32(_e423), i32(-2147483648), (_e423 < bitcast<f32>(3472883712u))), 2147483647i, (_e423 > bitcast<f32>(1325400063u))), (_e423 == _e423));
+                let _e469 = select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449));
+                let _e480 = p.member.test;
+                let _e481 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e480);
+                let _e483 = p.member.map_size;
+                local = _e481;
+                let _e485 = ((0u * _e483) * _e483);
+                let _e487 = (bitcast<i32>(_e483) - 1i);
                 if (_e460 > 0i) {
-                    phi_600_ = _e460;
+                    phi_622_ = _e460;
                 } else {
-                    phi_600_ = 0i;
+                    phi_622_ = 0i;
                 }
-                let _e466 = phi_600_;
-                if (_e463 < _e444) {
-                    phi_605_ = _e463;
+                let _e490 = phi_622_;
+                if (_e469 > 0i) {
+                    phi_627_ = _e469;
                 } else {
-                    phi_605_ = _e444;
+                    phi_627_ = 0i;
                 }
-                let _e469 = phi_605_;
-                if (_e466 < _e444) {
-                    phi_610_ = _e466;
+                let _e493 = phi_627_;
+                if (_e490 < _e487) {
+                    phi_632_ = _e490;
                 } else {
-                    phi_610_ = _e444;
+                    phi_632_ = _e487;
                 }
-                let _e472 = phi_610_;
-                let _e473 = bitcast<u32>(_e469);
-                let _e475 = (bitcast<u32>(_e456) * _e440);
-                let _e476 = (bitcast<u32>(_e472) * _e440);
-                let _e481 = ((_e475 + _e457) + _e442);
-                let _e482 = ((_e475 + _e473) + _e442);
-                let _e483 = ((_e476 + _e457) + _e442);
-                let _e484 = ((_e476 + _e473) + _e442);
-                if (_e481 < _e44) {
+                let _e496 = phi_632_;
+                if (_e493 < _e487) {
+                    phi_637_ = _e493;
+                } else {
+                    phi_637_ = _e487;
+                }
+                let _e499 = phi_637_;
+                let _e500 = bitcast<u32>(_e496);
+                let _e502 = (_e460 + 1i);
+                let _e503 = (_e469 + 1i);
+                if (_e502 > 0i) {
+                    phi_646_ = _e502;
+                } else {
+                    phi_646_ = 0i;
+                }
+                let _e506 = phi_646_;
+                if (_e503 > 0i) {
+                    phi_651_ = _e503;
+                } else {
+                    phi_651_ = 0i;
+                }
+                let _e509 = phi_651_;
+                if (_e506 < _e487) {
+                    phi_656_ = _e506;
+                } else {
+                    phi_656_ = _e487;
+                }
+                let _e512 = phi_656_;
+                if (_e509 < _e487) {
+                    phi_661_ = _e509;
+                } else {
+                    phi_661_ = _e487;
+                }
+                let _e515 = phi_661_;
+                let _e516 = bitcast<u32>(_e512);
+                let _e518 = (bitcast<u32>(_e499) * _e483);
+                let _e519 = (bitcast<u32>(_e515) * _e483);
+                let _e524 = ((_e518 + _e500) + _e485);
+                let _e525 = ((_e518 + _e516) + _e485);
+                let _e526 = ((_e519 + _e500) + _e485);
+                let _e527 = ((_e519 + _e516) + _e485);
+                if (_e524 < _e44) {
                 } else {
                     return;
                 }
-                let _e488 = map.member[(0u + _e481)];
-                if (_e482 < _e44) {
+                let _e531 = map.member[(0u + _e524)];
+                if (_e525 < _e44) {
                 } else {
                     return;
                 }
-                let _e492 = map.member[(0u + _e482)];
-                if (_e483 < _e44) {
+                let _e535 = map.member[(0u + _e525)];
+                if (_e526 < _e44) {
                 } else {
                     return;
                 }
-                let _e496 = map.member[(0u + _e483)];
-                if (_e484 < _e44) {
+                let _e539 = map.member[(0u + _e526)];
+                if (_e527 < _e44) {
                 } else {
                     return;
                 }
-                let _e500 = map.member[(0u + _e484)];
-                let _e502 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e488, _e492, _e496, _e500), vec4<f32>(((1f - _e407) * (1f - _e408)), (_e407 * (1f - _e408)), ((1f - _e407) * _e408), (_e407 * _e408)), _e347);
-                phi_655_ = evaluate_Verdict(_e502, false);
-                phi_656_ = evaluate_Verdict();
-                phi_657_ = false;
+                let _e543 = map.member[(0u + _e527)];
+                let _e545 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e531, _e535, _e539, _e543), vec4<f32>(((1f - _e450) * (1f - _e451)), (_e450 * (1f - _e451)), ((1f - _e450) * _e451), (_e450 * _e451)), _e390);
+                phi_706_ = evaluate_Verdict(_e545, false);
+                phi_707_ = evaluate_Verdict();
+                phi_708_ = false;
             } else {
-                phi_655_ = evaluate_Verdict();
-                phi_656_ = evaluate_Verdict(1f, false);
-                phi_657_ = true;
+                phi_706_ = evaluate_Verdict();
+                phi_707_ = evaluate_Verdict(1f, false);
+                phi_708_ = true;
             }
-            let _e506 = phi_655_;
-            let _e508 = phi_656_;
-            let _e510 = phi_657_;
-            phi_658_ = _e508;
-            phi_659_ = _e506;
-            phi_660_ = _e510;
+            let _e549 = phi_706_;
+            let _e551 = phi_707_;
+            let _e553 = phi_708_;
+            phi_709_ = _e551;
+            phi_710_ = _e549;
+            phi_711_ = _e553;
         }
-        let _e512 = phi_658_;
-        let _e514 = phi_659_;
-        let _e516 = phi_660_;
-        if _e516 {
-            phi_664_ = _e512;
+        let _e555 = phi_709_;
+        let _e557 = phi_710_;
+        let _e559 = phi_711_;
+        if _e559 {
+            phi_715_ = _e555;
         } else {
-            phi_664_ = _e514;
+            phi_715_ = _e557;
         }
-        let _e518 = phi_664_;
+        let _e561 = phi_715_;
         if (_e53.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e53.first_primitive)] = _e518.visibility;
+        visibility.member[(0u + _e53.first_primitive)] = _e561.visibility;
     }
     return;
 }

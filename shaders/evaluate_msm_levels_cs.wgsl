@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,18 +48,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_29 {
+struct type_31 {
     member: abi_ShadowParams,
 }
 
@@ -65,7 +74,7 @@ struct lt_bvh_slab_Span {
     far: f32,
 }
 
-struct type_35 {
+struct type_37 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -79,45 +88,45 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_29;
+var<uniform> p: type_31;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_35;
+var<storage> levels: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_146_: lt_bvh_traverse_Tree;
-    var phi_147_: bool;
-    var phi_148_: lt_bvh_traverse_Tree;
-    var phi_149_: bool;
-    var phi_154_: lt_bvh_traverse_Tree;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_150_: bool;
+    var phi_155_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_147_ = false;
+            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_148_ = false;
         } else {
-            phi_146_ = lt_bvh_traverse_Tree();
-            phi_147_ = true;
+            phi_147_ = lt_bvh_traverse_Tree();
+            phi_148_ = true;
         }
-        let _e55 = phi_146_;
-        let _e57 = phi_147_;
-        phi_148_ = _e55;
-        phi_149_ = _e57;
+        let _e55 = phi_147_;
+        let _e57 = phi_148_;
+        phi_149_ = _e55;
+        phi_150_ = _e57;
     } else {
-        phi_148_ = lt_bvh_traverse_Tree();
-        phi_149_ = true;
+        phi_149_ = lt_bvh_traverse_Tree();
+        phi_150_ = true;
     }
-    let _e59 = phi_148_;
-    let _e61 = phi_149_;
+    let _e59 = phi_149_;
+    let _e61 = phi_150_;
     if _e61 {
-        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_154_ = _e59;
+        phi_155_ = _e59;
     }
-    let _e66 = phi_154_;
+    let _e66 = phi_155_;
     return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
 }
 
@@ -126,205 +135,205 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_181_: f32;
     var phi_182_: f32;
     var phi_183_: f32;
-    var phi_200_: f32;
+    var phi_184_: f32;
     var phi_201_: f32;
     var phi_202_: f32;
-    var phi_218_: f32;
+    var phi_203_: f32;
     var phi_219_: f32;
     var phi_220_: f32;
-    var phi_236_: f32;
+    var phi_221_: f32;
     var phi_237_: f32;
     var phi_238_: f32;
-    var phi_254_: f32;
+    var phi_239_: f32;
     var phi_255_: f32;
     var phi_256_: f32;
-    var phi_291_: bool;
+    var phi_257_: f32;
     var phi_292_: bool;
     var phi_293_: bool;
     var phi_294_: bool;
     var phi_295_: bool;
     var phi_296_: bool;
-    var phi_300_: bool;
-    var phi_611_: f32;
+    var phi_297_: bool;
+    var phi_301_: bool;
     var phi_612_: f32;
     var phi_613_: f32;
-    var phi_630_: f32;
+    var phi_614_: f32;
     var phi_631_: f32;
     var phi_632_: f32;
-    var phi_649_: f32;
+    var phi_633_: f32;
     var phi_650_: f32;
     var phi_651_: f32;
-    var phi_668_: f32;
+    var phi_652_: f32;
     var phi_669_: f32;
     var phi_670_: f32;
-    var phi_693_: f32;
+    var phi_671_: f32;
     var phi_694_: f32;
     var phi_695_: f32;
-    var phi_706_: f32;
-    var phi_721_: f32;
-    var phi_723_: lt_bvh_slab_Span;
-    var phi_781_: f32;
+    var phi_696_: f32;
+    var phi_707_: f32;
+    var phi_722_: f32;
+    var phi_724_: lt_bvh_slab_Span;
     var phi_782_: f32;
     var phi_783_: f32;
     var phi_784_: f32;
     var phi_785_: f32;
-    var phi_786_: bool;
-    var phi_790_: f32;
-    var phi_805_: f32;
+    var phi_786_: f32;
+    var phi_787_: bool;
+    var phi_791_: f32;
     var phi_806_: f32;
     var phi_807_: f32;
     var phi_808_: f32;
     var phi_809_: f32;
     var phi_810_: f32;
     var phi_811_: f32;
-    var phi_812_: bool;
-    var phi_813_: f32;
+    var phi_812_: f32;
+    var phi_813_: bool;
     var phi_814_: f32;
-    var phi_815_: bool;
-    var phi_819_: f32;
+    var phi_815_: f32;
+    var phi_816_: bool;
+    var phi_820_: f32;
 
     let _e46 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_183_ = param_7;
+        phi_184_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_182_ = 0f;
+            phi_183_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_181_ = 1f;
+                phi_182_ = 1f;
             } else {
-                phi_181_ = param_7;
+                phi_182_ = param_7;
             }
-            let _e53 = phi_181_;
-            phi_182_ = _e53;
+            let _e53 = phi_182_;
+            phi_183_ = _e53;
         }
-        let _e55 = phi_182_;
-        phi_183_ = _e55;
+        let _e55 = phi_183_;
+        phi_184_ = _e55;
     }
-    let _e57 = phi_183_;
+    let _e57 = phi_184_;
     let _e58 = (_e57 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_202_ = param_5.x;
+        phi_203_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_201_ = 0f;
+            phi_202_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_200_ = 1f;
+                phi_201_ = 1f;
             } else {
-                phi_200_ = param_5.x;
+                phi_201_ = param_5.x;
             }
-            let _e66 = phi_200_;
-            phi_201_ = _e66;
+            let _e66 = phi_201_;
+            phi_202_ = _e66;
         }
-        let _e68 = phi_201_;
-        phi_202_ = _e68;
+        let _e68 = phi_202_;
+        phi_203_ = _e68;
     }
-    let _e70 = phi_202_;
+    let _e70 = phi_203_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_220_ = param_5.y;
+        phi_221_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_219_ = 0f;
+            phi_220_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_218_ = 1f;
+                phi_219_ = 1f;
             } else {
-                phi_218_ = param_5.y;
+                phi_219_ = param_5.y;
             }
-            let _e78 = phi_218_;
-            phi_219_ = _e78;
+            let _e78 = phi_219_;
+            phi_220_ = _e78;
         }
-        let _e80 = phi_219_;
-        phi_220_ = _e80;
+        let _e80 = phi_220_;
+        phi_221_ = _e80;
     }
-    let _e82 = phi_220_;
+    let _e82 = phi_221_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_238_ = param_5.z;
+        phi_239_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_237_ = 0f;
+            phi_238_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_236_ = 1f;
+                phi_237_ = 1f;
             } else {
-                phi_236_ = param_5.z;
+                phi_237_ = param_5.z;
             }
-            let _e90 = phi_236_;
-            phi_237_ = _e90;
+            let _e90 = phi_237_;
+            phi_238_ = _e90;
         }
-        let _e92 = phi_237_;
-        phi_238_ = _e92;
+        let _e92 = phi_238_;
+        phi_239_ = _e92;
     }
-    let _e94 = phi_238_;
+    let _e94 = phi_239_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_256_ = param_5.w;
+        phi_257_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_255_ = 0f;
+            phi_256_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_254_ = 1f;
+                phi_255_ = 1f;
             } else {
-                phi_254_ = param_5.w;
+                phi_255_ = param_5.w;
             }
-            let _e102 = phi_254_;
-            phi_255_ = _e102;
+            let _e102 = phi_255_;
+            phi_256_ = _e102;
         }
-        let _e104 = phi_255_;
-        phi_256_ = _e104;
+        let _e104 = phi_256_;
+        phi_257_ = _e104;
     }
-    let _e106 = phi_256_;
+    let _e106 = phi_257_;
     let _e107 = (_e70 - _e58);
     let _e108 = (_e82 - _e58);
     let _e109 = (_e94 - _e58);
     let _e110 = (_e106 - _e58);
     let _e121 = ((((_e107 * param_6.x) + (_e108 * param_6.y)) + (_e109 * param_6.z)) + (_e110 * param_6.w));
     if ((bitcast<u32>(_e121) & 2147483647u) > 2139095040u) {
-        phi_813_ = _e121;
-        phi_814_ = f32();
-        phi_815_ = true;
+        phi_814_ = _e121;
+        phi_815_ = f32();
+        phi_816_ = true;
     } else {
         if (_e107 >= 0f) {
             if (_e108 >= 0f) {
                 if (_e109 >= 0f) {
-                    phi_291_ = (_e110 >= 0f);
-                    phi_292_ = false;
+                    phi_292_ = (_e110 >= 0f);
+                    phi_293_ = false;
                 } else {
-                    phi_291_ = bool();
-                    phi_292_ = true;
+                    phi_292_ = bool();
+                    phi_293_ = true;
                 }
-                let _e130 = phi_291_;
-                let _e132 = phi_292_;
-                phi_293_ = _e130;
-                phi_294_ = _e132;
+                let _e130 = phi_292_;
+                let _e132 = phi_293_;
+                phi_294_ = _e130;
+                phi_295_ = _e132;
             } else {
-                phi_293_ = bool();
-                phi_294_ = true;
+                phi_294_ = bool();
+                phi_295_ = true;
             }
-            let _e134 = phi_293_;
-            let _e136 = phi_294_;
-            phi_295_ = _e134;
-            phi_296_ = _e136;
+            let _e134 = phi_294_;
+            let _e136 = phi_295_;
+            phi_296_ = _e134;
+            phi_297_ = _e136;
         } else {
-            phi_295_ = bool();
-            phi_296_ = true;
+            phi_296_ = bool();
+            phi_297_ = true;
         }
-        let _e138 = phi_295_;
-        let _e140 = phi_296_;
+        let _e138 = phi_296_;
+        let _e140 = phi_297_;
         if _e140 {
-            phi_300_ = false;
+            phi_301_ = false;
         } else {
-            phi_300_ = _e138;
+            phi_301_ = _e138;
         }
-        let _e142 = phi_300_;
+        let _e142 = phi_301_;
         if _e142 {
-            phi_810_ = 1f;
-            phi_811_ = f32();
-            phi_812_ = true;
+            phi_811_ = 1f;
+            phi_812_ = f32();
+            phi_813_ = true;
         } else {
             let _e143 = (0.5f * _e46);
             let _e144 = (1f - _e46);
@@ -404,302 +413,288 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e430 = (_e424 < 0.0000000000000000000000000000000001f);
             if _e430 {
                 if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
-                    phi_613_ = _e107;
+                    phi_614_ = _e107;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_612_ = 0f;
+                        phi_613_ = 0f;
                     } else {
                         if (_e107 < 0f) {
-                            phi_611_ = 0f;
+                            phi_612_ = 0f;
                         } else {
-                            phi_611_ = 1f;
+                            phi_612_ = 1f;
                         }
-                        let _e439 = phi_611_;
-                        phi_612_ = _e439;
+                        let _e439 = phi_612_;
+                        phi_613_ = _e439;
                     }
-                    let _e441 = phi_612_;
-                    phi_613_ = _e441;
+                    let _e441 = phi_613_;
+                    phi_614_ = _e441;
                 }
-                let _e443 = phi_613_;
+                let _e443 = phi_614_;
                 if ((bitcast<u32>(_e108) & 2147483647u) > 2139095040u) {
-                    phi_632_ = _e108;
+                    phi_633_ = _e108;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_631_ = 0f;
+                        phi_632_ = 0f;
                     } else {
                         if (_e108 < 0f) {
-                            phi_630_ = 0f;
+                            phi_631_ = 0f;
                         } else {
-                            phi_630_ = 1f;
+                            phi_631_ = 1f;
                         }
-                        let _e452 = phi_630_;
-                        phi_631_ = _e452;
+                        let _e452 = phi_631_;
+                        phi_632_ = _e452;
                     }
-                    let _e454 = phi_631_;
-                    phi_632_ = _e454;
+                    let _e454 = phi_632_;
+                    phi_633_ = _e454;
                 }
-                let _e456 = phi_632_;
+                let _e456 = phi_633_;
                 if ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u) {
-                    phi_651_ = _e109;
+                    phi_652_ = _e109;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_650_ = 0f;
+                        phi_651_ = 0f;
                     } else {
                         if (_e109 < 0f) {
-                            phi_649_ = 0f;
+                            phi_650_ = 0f;
                         } else {
-                            phi_649_ = 1f;
+                            phi_650_ = 1f;
                         }
-                        let _e465 = phi_649_;
-                        phi_650_ = _e465;
+                        let _e465 = phi_650_;
+                        phi_651_ = _e465;
                     }
-                    let _e467 = phi_650_;
-                    phi_651_ = _e467;
+                    let _e467 = phi_651_;
+                    phi_652_ = _e467;
                 }
-                let _e469 = phi_651_;
+                let _e469 = phi_652_;
                 if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-                    phi_670_ = _e110;
+                    phi_671_ = _e110;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_669_ = 0f;
+                        phi_670_ = 0f;
                     } else {
                         if (_e110 < 0f) {
-                            phi_668_ = 0f;
+                            phi_669_ = 0f;
                         } else {
-                            phi_668_ = 1f;
+                            phi_669_ = 1f;
                         }
-                        let _e478 = phi_668_;
-                        phi_669_ = _e478;
+                        let _e478 = phi_669_;
+                        phi_670_ = _e478;
                     }
-                    let _e480 = phi_669_;
-                    phi_670_ = _e480;
+                    let _e480 = phi_670_;
+                    phi_671_ = _e480;
                 }
-                let _e482 = phi_670_;
+                let _e482 = phi_671_;
                 let _e490 = (((((_e443 * _e146) + (_e456 * _e148)) + (_e469 * _e150)) + (_e482 * _e152)) + _e143);
                 if ((bitcast<u32>(_e490) & 2147483647u) > 2139095040u) {
-                    phi_695_ = _e490;
+                    phi_696_ = _e490;
                 } else {
                     if (_e490 < 0f) {
-                        phi_694_ = 0f;
+                        phi_695_ = 0f;
                     } else {
                         if (_e490 > 1f) {
-                            phi_693_ = 1f;
+                            phi_694_ = 1f;
                         } else {
-                            phi_693_ = _e490;
+                            phi_694_ = _e490;
                         }
-                        let _e497 = phi_693_;
-                        phi_694_ = _e497;
+                        let _e497 = phi_694_;
+                        phi_695_ = _e497;
                     }
-                    let _e499 = phi_694_;
-                    phi_695_ = _e499;
+                    let _e499 = phi_695_;
+                    phi_696_ = _e499;
                 }
-                let _e501 = phi_695_;
-                phi_808_ = _e501;
-                phi_809_ = f32();
+                let _e501 = phi_696_;
+                phi_809_ = _e501;
+                phi_810_ = f32();
             } else {
                 let _e503 = ((0.5f * -(((((((((_e207 * (_e107 + _e108)) + (_e211 * (_e107 + _e109))) + (_e235 * (_e107 + _e153))) + (_e247 * (_e107 + _e154))) + ((((_e208 * (_e108 + _e109)) + (_e212 * (_e108 + _e110))) + (_e236 * (_e108 + _e153))) + (_e248 * (_e108 + _e154)))) + ((((_e209 * (_e109 + _e110)) + (_e213 * (_e109 + _e107))) + (_e237 * (_e109 + _e153))) + (_e249 * (_e109 + _e154)))) + ((((_e210 * (_e110 + _e107)) + (_e214 * (_e110 + _e108))) + (_e238 * (_e110 + _e153))) + (_e250 * (_e110 + _e154)))) + (_e421 * (_e153 + _e154))))) / _e424);
                 let _e504 = ((((((((_e207 + _e211) + _e235) + _e247) + (((_e208 + _e212) + _e236) + _e248)) + (((_e209 + _e213) + _e237) + _e249)) + (((_e210 + _e214) + _e238) + _e250)) + _e421) / _e424);
                 let _e506 = ((_e503 * _e503) - _e504);
                 if (_e506 > 0f) {
-                    phi_706_ = sqrt(_e506);
+                    phi_707_ = sqrt(_e506);
                 } else {
-                    phi_706_ = 0f;
+                    phi_707_ = 0f;
                 }
-                let _e510 = phi_706_;
+                let _e510 = phi_707_;
                 if (_e503 > 0f) {
                     let _e513 = (-(_e503) - _e510);
-                    phi_723_ = lt_bvh_slab_Span(_e513, (_e504 / _e513));
+                    phi_724_ = lt_bvh_slab_Span(_e513, (_e504 / _e513));
                 } else {
                     let _e516 = (_e510 - _e503);
                     if (_e516 > 0f) {
-                        phi_721_ = (_e504 / _e516);
+                        phi_722_ = (_e504 / _e516);
                     } else {
-                        phi_721_ = 0f;
+                        phi_722_ = 0f;
                     }
-                    let _e520 = phi_721_;
-                    phi_723_ = lt_bvh_slab_Span(_e520, _e516);
+                    let _e520 = phi_722_;
+                    phi_724_ = lt_bvh_slab_Span(_e520, _e516);
                 }
-                let _e523 = phi_723_;
+                let _e523 = phi_724_;
                 if (_e523.near >= 0f) {
-                    phi_784_ = 1f;
-                    phi_785_ = f32();
-                    phi_786_ = true;
+                    phi_785_ = 1f;
+                    phi_786_ = f32();
+                    phi_787_ = true;
                 } else {
                     let _e527 = (_e523.far <= 0f);
                     if _e527 {
-                        phi_782_ = (_e418 / _e424);
-                        phi_783_ = f32();
+                        phi_783_ = (_e418 / _e424);
+                        phi_784_ = f32();
                     } else {
                         let _e538 = (((((_e146 * _e107) + (_e148 * _e108)) + (_e150 * _e109)) + (_e152 * _e110)) + (_e143 * (_e153 + _e154)));
                         let _e554 = (((((_e146 * (_e107 * _e107)) + (_e148 * (_e108 * _e108))) + (_e150 * (_e109 * _e109))) + (_e152 * (_e110 * _e110))) + (_e143 * ((_e153 * _e153) + (_e154 * _e154))));
                         if (-(_e523.near) <= _e523.far) {
-                            phi_781_ = (1f - (((_e523.near * _e523.near) * ((_e523.far * _e554) - _e538)) / (_e523.far - _e523.near)));
+                            phi_782_ = (1f - (((_e523.near * _e523.near) * ((_e523.far * _e554) - _e538)) / (_e523.far - _e523.near)));
                         } else {
-                            phi_781_ = ((_e418 / _e424) + (((_e523.far * _e523.far) * (_e538 - (_e523.near * _e554))) / (_e523.far - _e523.near)));
+                            phi_782_ = ((_e418 / _e424) + (((_e523.far * _e523.far) * (_e538 - (_e523.near * _e554))) / (_e523.far - _e523.near)));
                         }
-                        let _e573 = phi_781_;
-                        phi_782_ = f32();
-                        phi_783_ = _e573;
+                        let _e573 = phi_782_;
+                        phi_783_ = f32();
+                        phi_784_ = _e573;
                     }
-                    let _e575 = phi_782_;
-                    let _e577 = phi_783_;
-                    phi_784_ = _e575;
-                    phi_785_ = _e577;
-                    phi_786_ = _e527;
+                    let _e575 = phi_783_;
+                    let _e577 = phi_784_;
+                    phi_785_ = _e575;
+                    phi_786_ = _e577;
+                    phi_787_ = _e527;
                 }
-                let _e579 = phi_784_;
-                let _e581 = phi_785_;
-                let _e583 = phi_786_;
+                let _e579 = phi_785_;
+                let _e581 = phi_786_;
+                let _e583 = phi_787_;
                 if _e583 {
-                    phi_790_ = _e579;
+                    phi_791_ = _e579;
                 } else {
-                    phi_790_ = _e581;
+                    phi_791_ = _e581;
                 }
-                let _e585 = phi_790_;
+                let _e585 = phi_791_;
                 if ((bitcast<u32>(_e585) & 2147483647u) > 2139095040u) {
-                    phi_807_ = _e585;
+                    phi_808_ = _e585;
                 } else {
                     if (_e585 < 0f) {
-                        phi_806_ = 0f;
+                        phi_807_ = 0f;
                     } else {
                         if (_e585 > 1f) {
-                            phi_805_ = 1f;
+                            phi_806_ = 1f;
                         } else {
-                            phi_805_ = _e585;
+                            phi_806_ = _e585;
                         }
-                        let _e592 = phi_805_;
-                        phi_806_ = _e592;
+                        let _e592 = phi_806_;
+                        phi_807_ = _e592;
                     }
-                    let _e594 = phi_806_;
-                    phi_807_ = _e594;
+                    let _e594 = phi_807_;
+                    phi_808_ = _e594;
                 }
-                let _e596 = phi_807_;
-                phi_808_ = f32();
-                phi_809_ = _e596;
+                let _e596 = phi_808_;
+                phi_809_ = f32();
+                phi_810_ = _e596;
             }
-            let _e598 = phi_808_;
-            let _e600 = phi_809_;
-            phi_810_ = _e598;
-            phi_811_ = _e600;
-            phi_812_ = _e430;
+            let _e598 = phi_809_;
+            let _e600 = phi_810_;
+            phi_811_ = _e598;
+            phi_812_ = _e600;
+            phi_813_ = _e430;
         }
-        let _e602 = phi_810_;
-        let _e604 = phi_811_;
-        let _e606 = phi_812_;
-        phi_813_ = _e602;
-        phi_814_ = _e604;
-        phi_815_ = _e606;
+        let _e602 = phi_811_;
+        let _e604 = phi_812_;
+        let _e606 = phi_813_;
+        phi_814_ = _e602;
+        phi_815_ = _e604;
+        phi_816_ = _e606;
     }
-    let _e608 = phi_813_;
-    let _e610 = phi_814_;
-    let _e612 = phi_815_;
+    let _e608 = phi_814_;
+    let _e610 = phi_815_;
+    let _e612 = phi_816_;
     if _e612 {
-        phi_819_ = _e608;
+        phi_820_ = _e608;
     } else {
-        phi_819_ = _e610;
+        phi_820_ = _e610;
     }
-    let _e614 = phi_819_;
+    let _e614 = phi_820_;
     return _e614;
-}
-
-fn lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(param_8: f32, param_9: f32) -> f32 {
-    var phi_827_: f32;
-
-    if (param_8 < param_9) {
-        phi_827_ = param_8;
-    } else {
-        phi_827_ = param_9;
-    }
-    let _e46 = phi_827_;
-    return _e46;
 }
 
 fn function_() {
     var local: f32;
-    var phi_888_: bool;
-    var phi_889_: bool;
-    var phi_890_: bool;
-    var phi_891_: bool;
-    var phi_895_: bool;
-    var phi_939_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_943_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_963_: lt_math_LightPoint;
-    var phi_966_: u32;
-    var phi_968_: lt_math_LevelPoint;
-    var phi_1054_: bool;
-    var phi_1063_: bool;
-    var phi_1072_: bool;
-    var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_1075_: bool;
-    var phi_1076_: bool;
-    var phi_1077_: bool;
-    var phi_1078_: bool;
-    var phi_1082_: bool;
-    var phi_1109_: bool;
-    var phi_1110_: bool;
-    var phi_1111_: bool;
+    var phi_880_: bool;
+    var phi_881_: bool;
+    var phi_882_: bool;
+    var phi_883_: bool;
+    var phi_887_: bool;
+    var phi_957_: bool;
+    var phi_958_: bool;
+    var phi_969_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_970_: bool;
+    var phi_971_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_972_: bool;
+    var phi_979_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_983_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1003_: lt_math_LightPoint;
+    var phi_1006_: u32;
+    var phi_1008_: lt_math_LevelPoint;
+    var phi_1094_: bool;
+    var phi_1103_: bool;
     var phi_1112_: bool;
     var phi_1113_: bool;
     var phi_1114_: bool;
     var phi_1115_: bool;
     var phi_1116_: bool;
-    var phi_1120_: bool;
-    var phi_1129_: lt_math_LightPoint;
-    var phi_1130_: u32;
-    var phi_1131_: lt_math_LevelPoint;
-    var phi_1132_: bool;
-    var phi_964_: lt_math_LightPoint;
-    var phi_967_: u32;
-    var phi_969_: lt_math_LevelPoint;
-    var phi_1133_: bool;
+    var phi_1117_: bool;
+    var phi_1118_: bool;
+    var phi_1122_: bool;
+    var phi_1149_: bool;
+    var phi_1150_: bool;
+    var phi_1151_: bool;
+    var phi_1152_: bool;
+    var phi_1153_: bool;
+    var phi_1154_: bool;
+    var phi_1155_: bool;
+    var phi_1156_: bool;
+    var phi_1160_: bool;
+    var phi_1169_: lt_math_LightPoint;
+    var phi_1170_: u32;
+    var phi_1171_: lt_math_LevelPoint;
+    var phi_1172_: bool;
+    var phi_1004_: lt_math_LightPoint;
+    var phi_1007_: u32;
+    var phi_1009_: lt_math_LevelPoint;
+    var phi_1173_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_1173_: bool;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
-    var phi_1176_: bool;
-    var phi_1180_: bool;
-    var phi_1262_: f32;
-    var phi_1378_: f32;
-    var phi_1379_: f32;
-    var phi_1382_: f32;
-    var phi_1411_: f32;
-    var phi_1416_: f32;
-    var phi_1417_: bool;
-    var phi_1418_: f32;
-    var phi_1419_: bool;
-    var phi_1423_: f32;
-    var phi_1443_: f32;
-    var phi_1448_: f32;
-    var phi_1449_: bool;
-    var phi_1450_: f32;
-    var phi_1451_: bool;
-    var phi_1455_: f32;
+    var phi_1213_: bool;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1220_: bool;
+    var phi_1302_: f32;
+    var phi_1420_: f32;
+    var phi_1421_: f32;
+    var phi_1424_: f32;
+    var phi_1453_: f32;
+    var phi_1458_: f32;
+    var phi_1459_: bool;
+    var phi_1460_: f32;
+    var phi_1461_: bool;
+    var phi_1465_: f32;
+    var phi_1485_: f32;
+    var phi_1490_: f32;
+    var phi_1491_: bool;
+    var phi_1492_: f32;
+    var phi_1493_: bool;
+    var phi_1497_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1504_: i32;
-    var phi_1509_: i32;
-    var phi_1514_: i32;
-    var phi_1519_: i32;
-    var phi_1528_: i32;
-    var phi_1533_: i32;
-    var phi_1538_: i32;
-    var phi_1543_: i32;
-    var local_4: lt_math_LevelPoint;
-    var phi_1615_: f32;
-    var phi_1617_: evaluate_Verdict;
-    var phi_1618_: bool;
-    var phi_1619_: evaluate_Verdict;
-    var phi_1620_: bool;
-    var phi_1625_: evaluate_Verdict;
-    var phi_1626_: bool;
-    var phi_1628_: evaluate_Verdict;
-    var phi_1629_: evaluate_Verdict;
-    var phi_1630_: bool;
+    var phi_1546_: i32;
+    var phi_1551_: i32;
+    var phi_1556_: i32;
+    var phi_1561_: i32;
+    var phi_1570_: i32;
+    var phi_1575_: i32;
+    var phi_1580_: i32;
+    var phi_1585_: i32;
+    var phi_1630_: evaluate_Verdict;
+    var phi_1631_: evaluate_Verdict;
+    var phi_1632_: bool;
+    var phi_1633_: evaluate_Verdict;
     var phi_1634_: evaluate_Verdict;
-    var phi_1635_: evaluate_Verdict;
-    var phi_1636_: bool;
-    var phi_1640_: evaluate_Verdict;
+    var phi_1635_: bool;
+    var phi_1639_: evaluate_Verdict;
 
     let _e43 = id_1;
     let _e50 = arrayLength((&map.member));
@@ -713,533 +708,531 @@ fn function_() {
         } else {
             return;
         }
-        let _e73 = p.member.light;
-        let _e76 = samples.member[(0u + _e62.first_primitive)].normal[0u];
-        let _e78 = global[0u];
-        if (_e76 == _e78) {
-            let _e81 = samples.member[(0u + _e62.first_primitive)].normal[1u];
-            let _e83 = global[1u];
-            if (_e81 == _e83) {
-                let _e86 = samples.member[(0u + _e62.first_primitive)].normal[2u];
-                let _e88 = global[2u];
-                phi_888_ = (_e86 == _e88);
-                phi_889_ = false;
+        let _e75 = samples.member[(0u + _e62.first_primitive)].normal[0u];
+        let _e77 = global[0u];
+        if (_e75 == _e77) {
+            let _e80 = samples.member[(0u + _e62.first_primitive)].normal[1u];
+            let _e82 = global[1u];
+            if (_e80 == _e82) {
+                let _e85 = samples.member[(0u + _e62.first_primitive)].normal[2u];
+                let _e87 = global[2u];
+                phi_880_ = (_e85 == _e87);
+                phi_881_ = false;
             } else {
-                phi_888_ = bool();
-                phi_889_ = true;
+                phi_880_ = bool();
+                phi_881_ = true;
             }
-            let _e91 = phi_888_;
-            let _e93 = phi_889_;
-            phi_890_ = _e91;
-            phi_891_ = _e93;
+            let _e90 = phi_880_;
+            let _e92 = phi_881_;
+            phi_882_ = _e90;
+            phi_883_ = _e92;
         } else {
-            phi_890_ = bool();
-            phi_891_ = true;
+            phi_882_ = bool();
+            phi_883_ = true;
         }
-        let _e95 = phi_890_;
-        let _e97 = phi_891_;
-        if _e97 {
-            phi_895_ = false;
+        let _e94 = phi_882_;
+        let _e96 = phi_883_;
+        if _e96 {
+            phi_887_ = false;
         } else {
-            phi_895_ = _e95;
+            phi_887_ = _e94;
         }
-        let _e99 = phi_895_;
-        if !(_e99) {
-            let _e102 = samples.member[(0u + _e62.first_primitive)].normal;
-            let _e104 = samples.member[(0u + _e62.first_primitive)].position;
-            if ((((_e102.x * (_e73.x - (_e104.x * _e73.w))) + (_e102.y * (_e73.y - (_e104.y * _e73.w)))) + (_e102.z * (_e73.z - (_e104.z * _e73.w)))) > 0f) {
-                let _e128 = samples.member[(0u + _e62.first_primitive)].flags;
-                let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
-                phi_939_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
-            } else {
-                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e151.unnamed.visibility, false), _e151.unnamed_1);
-                phi_939_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
-            }
-            let _e162 = phi_939_;
-            phi_943_ = _e162;
-        } else {
-            let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-            phi_943_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
-        }
-        let _e179 = phi_943_;
-        if _e179.unnamed_1 {
-            phi_1634_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
-            phi_1635_ = evaluate_Verdict();
-            phi_1636_ = true;
-        } else {
-            let _e187 = samples.member[(0u + _e62.first_primitive)].position;
-            let _e189 = p.member.map_size;
-            let _e191 = (0.5f / f32(_e189));
-            let _e198 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e205 = lt_math_LightPoint(vec2<f32>(_e198.uv.x, 0f), _e198.depth, _e198.is_inside);
-            let _e209 = lt_math_LightPoint(_e205.uv, 0f, _e205.is_inside);
-            phi_963_ = lt_math_LightPoint();
-            phi_966_ = 0u;
-            phi_968_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e209.uv, _e209.depth, false));
-            loop {
-                let _e216 = phi_963_;
-                let _e218 = phi_966_;
-                let _e220 = phi_968_;
-                local_1 = _e220;
-                local_2 = _e220;
-                local_3 = _e220;
-                local_4 = _e220;
-                if (_e218 < _e68) {
-                    if _e220.point.is_inside {
-                        phi_1129_ = lt_math_LightPoint();
-                        phi_1130_ = u32();
-                        phi_1131_ = lt_math_LevelPoint();
-                        phi_1132_ = false;
+        let _e98 = phi_887_;
+        if !(_e98) {
+            let _e101 = samples.member[(0u + _e62.first_primitive)].position;
+            let _e103 = p.member.light.place;
+            let _e109 = p.member.light.place[3u];
+            let _e116 = (_e103.x - (_e101.x * _e109));
+            let _e117 = (_e103.y - (_e101.y * _e109));
+            let _e118 = (_e103.z - (_e101.z * _e109));
+            let _e120 = samples.member[(0u + _e62.first_primitive)].normal;
+            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
+                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
+                let _e136 = p.member.light.axis;
+                let _e148 = p.member.light.place[3u];
+                if (_e148 == 0f) {
+                    phi_958_ = true;
+                } else {
+                    let _e151 = p.member.light.range_squared;
+                    if (_e134 <= _e151) {
+                        let _e154 = p.member.light.cos_outer;
+                        phi_957_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
                     } else {
-                        if (_e218 < _e56) {
+                        phi_957_ = false;
+                    }
+                    let _e159 = phi_957_;
+                    phi_958_ = _e159;
+                }
+                let _e161 = phi_958_;
+                if _e161 {
+                    let _e163 = samples.member[(0u + _e62.first_primitive)].flags;
+                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
+                    phi_969_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
+                    phi_970_ = false;
+                } else {
+                    phi_969_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_970_ = true;
+                }
+                let _e182 = phi_969_;
+                let _e184 = phi_970_;
+                phi_971_ = _e182;
+                phi_972_ = _e184;
+            } else {
+                phi_971_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_972_ = true;
+            }
+            let _e186 = phi_971_;
+            let _e188 = phi_972_;
+            if _e188 {
+                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
+                phi_979_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
+            } else {
+                phi_979_ = _e186;
+            }
+            let _e205 = phi_979_;
+            phi_983_ = _e205;
+        } else {
+            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
+            phi_983_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+        }
+        let _e222 = phi_983_;
+        if _e222.unnamed_1 {
+            phi_1633_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
+            phi_1634_ = evaluate_Verdict();
+            phi_1635_ = true;
+        } else {
+            let _e230 = samples.member[(0u + _e62.first_primitive)].position;
+            let _e232 = p.member.map_size;
+            let _e234 = (0.5f / f32(_e232));
+            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
+            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
+            phi_1003_ = lt_math_LightPoint();
+            phi_1006_ = 0u;
+            phi_1008_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
+            loop {
+                let _e259 = phi_1003_;
+                let _e261 = phi_1006_;
+                let _e263 = phi_1008_;
+                local_1 = _e263;
+                local_2 = _e263;
+                local_3 = _e263;
+                if (_e261 < _e68) {
+                    if _e263.point.is_inside {
+                        phi_1169_ = lt_math_LightPoint();
+                        phi_1170_ = u32();
+                        phi_1171_ = lt_math_LevelPoint();
+                        phi_1172_ = false;
+                    } else {
+                        if (_e261 < _e56) {
                         } else {
                             return;
                         }
-                        let _e231 = levels.member[(0u + _e218)].row_w;
-                        let _e242 = ((((_e231.x * _e187.x) + (_e231.y * _e187.y)) + (_e231.z * _e187.z)) + (_e231.w * 1f));
-                        let _e244 = levels.member[(0u + _e218)].row_x;
-                        let _e256 = (((((_e244.x * _e187.x) + (_e244.y * _e187.y)) + (_e244.z * _e187.z)) + (_e244.w * 1f)) / _e242);
-                        let _e258 = levels.member[(0u + _e218)].row_y;
-                        let _e270 = (((((_e258.x * _e187.x) + (_e258.y * _e187.y)) + (_e258.z * _e187.z)) + (_e258.w * 1f)) / _e242);
-                        let _e272 = levels.member[(0u + _e218)].row_z;
-                        let _e283 = ((((_e272.x * _e187.x) + (_e272.y * _e187.y)) + (_e272.z * _e187.z)) + (_e272.w * 1f));
-                        if (_e242 > 0f) {
-                            if (_e256 >= 0f) {
-                                phi_1054_ = (_e256 <= 1f);
+                        let _e274 = levels.member[(0u + _e261)].row_w;
+                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
+                        let _e287 = levels.member[(0u + _e261)].row_x;
+                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
+                        let _e301 = levels.member[(0u + _e261)].row_y;
+                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
+                        let _e315 = levels.member[(0u + _e261)].row_z;
+                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
+                        if (_e285 > 0f) {
+                            if (_e299 >= 0f) {
+                                phi_1094_ = (_e299 <= 1f);
                             } else {
-                                phi_1054_ = false;
+                                phi_1094_ = false;
                             }
-                            let _e288 = phi_1054_;
-                            if _e288 {
-                                if (_e270 >= 0f) {
-                                    phi_1063_ = (_e270 <= 1f);
+                            let _e331 = phi_1094_;
+                            if _e331 {
+                                if (_e313 >= 0f) {
+                                    phi_1103_ = (_e313 <= 1f);
                                 } else {
-                                    phi_1063_ = false;
+                                    phi_1103_ = false;
                                 }
-                                let _e292 = phi_1063_;
-                                if _e292 {
-                                    if (_e283 >= 0f) {
-                                        phi_1072_ = (_e283 <= 1f);
+                                let _e335 = phi_1103_;
+                                if _e335 {
+                                    if (_e326 >= 0f) {
+                                        phi_1112_ = (_e326 <= 1f);
                                     } else {
-                                        phi_1072_ = false;
+                                        phi_1112_ = false;
                                     }
-                                    let _e296 = phi_1072_;
-                                    phi_1073_ = _e296;
-                                    phi_1074_ = false;
+                                    let _e339 = phi_1112_;
+                                    phi_1113_ = _e339;
+                                    phi_1114_ = false;
                                 } else {
-                                    phi_1073_ = bool();
-                                    phi_1074_ = true;
+                                    phi_1113_ = bool();
+                                    phi_1114_ = true;
                                 }
-                                let _e298 = phi_1073_;
-                                let _e300 = phi_1074_;
-                                phi_1075_ = _e298;
-                                phi_1076_ = _e300;
+                                let _e341 = phi_1113_;
+                                let _e343 = phi_1114_;
+                                phi_1115_ = _e341;
+                                phi_1116_ = _e343;
                             } else {
-                                phi_1075_ = bool();
-                                phi_1076_ = true;
+                                phi_1115_ = bool();
+                                phi_1116_ = true;
                             }
-                            let _e302 = phi_1075_;
-                            let _e304 = phi_1076_;
-                            phi_1077_ = _e302;
-                            phi_1078_ = _e304;
+                            let _e345 = phi_1115_;
+                            let _e347 = phi_1116_;
+                            phi_1117_ = _e345;
+                            phi_1118_ = _e347;
                         } else {
-                            phi_1077_ = bool();
-                            phi_1078_ = true;
+                            phi_1117_ = bool();
+                            phi_1118_ = true;
                         }
-                        let _e306 = phi_1077_;
-                        let _e308 = phi_1078_;
-                        if _e308 {
-                            phi_1082_ = false;
+                        let _e349 = phi_1117_;
+                        let _e351 = phi_1118_;
+                        if _e351 {
+                            phi_1122_ = false;
                         } else {
-                            phi_1082_ = _e306;
+                            phi_1122_ = _e349;
                         }
-                        let _e310 = phi_1082_;
-                        if _e310 {
-                            if (_e256 >= _e191) {
-                                if (_e256 <= (1f - _e191)) {
-                                    if (_e270 >= _e191) {
-                                        phi_1109_ = (_e270 <= (1f - _e191));
-                                        phi_1110_ = false;
+                        let _e353 = phi_1122_;
+                        if _e353 {
+                            if (_e299 >= _e234) {
+                                if (_e299 <= (1f - _e234)) {
+                                    if (_e313 >= _e234) {
+                                        phi_1149_ = (_e313 <= (1f - _e234));
+                                        phi_1150_ = false;
                                     } else {
-                                        phi_1109_ = bool();
-                                        phi_1110_ = true;
+                                        phi_1149_ = bool();
+                                        phi_1150_ = true;
                                     }
-                                    let _e318 = phi_1109_;
-                                    let _e320 = phi_1110_;
-                                    phi_1111_ = _e318;
-                                    phi_1112_ = _e320;
+                                    let _e361 = phi_1149_;
+                                    let _e363 = phi_1150_;
+                                    phi_1151_ = _e361;
+                                    phi_1152_ = _e363;
                                 } else {
-                                    phi_1111_ = bool();
-                                    phi_1112_ = true;
+                                    phi_1151_ = bool();
+                                    phi_1152_ = true;
                                 }
-                                let _e322 = phi_1111_;
-                                let _e324 = phi_1112_;
-                                phi_1113_ = _e322;
-                                phi_1114_ = _e324;
+                                let _e365 = phi_1151_;
+                                let _e367 = phi_1152_;
+                                phi_1153_ = _e365;
+                                phi_1154_ = _e367;
                             } else {
-                                phi_1113_ = bool();
-                                phi_1114_ = true;
+                                phi_1153_ = bool();
+                                phi_1154_ = true;
                             }
-                            let _e326 = phi_1113_;
-                            let _e328 = phi_1114_;
-                            phi_1115_ = _e326;
-                            phi_1116_ = _e328;
+                            let _e369 = phi_1153_;
+                            let _e371 = phi_1154_;
+                            phi_1155_ = _e369;
+                            phi_1156_ = _e371;
                         } else {
-                            phi_1115_ = bool();
-                            phi_1116_ = true;
+                            phi_1155_ = bool();
+                            phi_1156_ = true;
                         }
-                        let _e330 = phi_1115_;
-                        let _e332 = phi_1116_;
-                        if _e332 {
-                            phi_1120_ = false;
+                        let _e373 = phi_1155_;
+                        let _e375 = phi_1156_;
+                        if _e375 {
+                            phi_1160_ = false;
                         } else {
-                            phi_1120_ = _e330;
+                            phi_1160_ = _e373;
                         }
-                        let _e334 = phi_1120_;
-                        let _e341 = lt_math_LightPoint(vec2<f32>(_e256, _e216.uv.y), _e216.depth, _e216.is_inside);
-                        let _e348 = lt_math_LightPoint(vec2<f32>(_e341.uv.x, _e270), _e341.depth, _e341.is_inside);
-                        let _e352 = lt_math_LightPoint(_e348.uv, _e283, _e348.is_inside);
-                        let _e356 = lt_math_LightPoint(_e352.uv, _e352.depth, _e334);
-                        phi_1129_ = _e356;
-                        phi_1130_ = (_e218 + 1u);
-                        phi_1131_ = lt_math_LevelPoint(_e218, _e356);
-                        phi_1132_ = true;
+                        let _e377 = phi_1160_;
+                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
+                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
+                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
+                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
+                        phi_1169_ = _e399;
+                        phi_1170_ = (_e261 + 1u);
+                        phi_1171_ = lt_math_LevelPoint(_e261, _e399);
+                        phi_1172_ = true;
                     }
-                    let _e360 = phi_1129_;
-                    let _e362 = phi_1130_;
-                    let _e364 = phi_1131_;
-                    let _e366 = phi_1132_;
-                    phi_964_ = _e360;
-                    phi_967_ = _e362;
-                    phi_969_ = _e364;
-                    phi_1133_ = _e366;
+                    let _e403 = phi_1169_;
+                    let _e405 = phi_1170_;
+                    let _e407 = phi_1171_;
+                    let _e409 = phi_1172_;
+                    phi_1004_ = _e403;
+                    phi_1007_ = _e405;
+                    phi_1009_ = _e407;
+                    phi_1173_ = _e409;
                 } else {
-                    phi_964_ = lt_math_LightPoint();
-                    phi_967_ = u32();
-                    phi_969_ = lt_math_LevelPoint();
-                    phi_1133_ = false;
+                    phi_1004_ = lt_math_LightPoint();
+                    phi_1007_ = u32();
+                    phi_1009_ = lt_math_LevelPoint();
+                    phi_1173_ = false;
                 }
-                let _e368 = phi_964_;
-                let _e370 = phi_967_;
-                let _e372 = phi_969_;
-                let _e374 = phi_1133_;
+                let _e411 = phi_1004_;
+                let _e413 = phi_1007_;
+                let _e415 = phi_1009_;
+                let _e417 = phi_1173_;
                 continue;
                 continuing {
-                    phi_963_ = _e368;
-                    phi_966_ = _e370;
-                    phi_968_ = _e372;
-                    break if !(_e374);
+                    phi_1003_ = _e411;
+                    phi_1006_ = _e413;
+                    phi_1008_ = _e415;
+                    break if !(_e417);
                 }
             }
-            let _e377 = local_1;
-            if _e377.point.is_inside {
+            let _e420 = local_1;
+            if _e420.point.is_inside {
                 if (0f > 0f) {
-                    let _e383 = local_2;
-                    if (_e383.level < _e56) {
+                    let _e426 = local_2;
+                    if (_e426.level < _e56) {
                     } else {
                         return;
                     }
-                    let _e388 = levels.member[(0u + _e383.level)];
-                    let _e394 = global[0u];
-                    if (_e388.row_w.x == _e394) {
-                        let _e397 = global[1u];
-                        if (_e388.row_w.y == _e397) {
-                            let _e400 = global[2u];
-                            phi_1173_ = (_e388.row_w.z == _e400);
-                            phi_1174_ = false;
+                    let _e431 = levels.member[(0u + _e426.level)];
+                    let _e437 = global[0u];
+                    if (_e431.row_w.x == _e437) {
+                        let _e440 = global[1u];
+                        if (_e431.row_w.y == _e440) {
+                            let _e443 = global[2u];
+                            phi_1213_ = (_e431.row_w.z == _e443);
+                            phi_1214_ = false;
                         } else {
-                            phi_1173_ = bool();
-                            phi_1174_ = true;
+                            phi_1213_ = bool();
+                            phi_1214_ = true;
                         }
-                        let _e403 = phi_1173_;
-                        let _e405 = phi_1174_;
-                        phi_1175_ = _e403;
-                        phi_1176_ = _e405;
+                        let _e446 = phi_1213_;
+                        let _e448 = phi_1214_;
+                        phi_1215_ = _e446;
+                        phi_1216_ = _e448;
                     } else {
-                        phi_1175_ = bool();
-                        phi_1176_ = true;
+                        phi_1215_ = bool();
+                        phi_1216_ = true;
                     }
-                    let _e407 = phi_1175_;
-                    let _e409 = phi_1176_;
-                    if _e409 {
-                        phi_1180_ = false;
+                    let _e450 = phi_1215_;
+                    let _e452 = phi_1216_;
+                    if _e452 {
+                        phi_1220_ = false;
                     } else {
-                        phi_1180_ = _e407;
+                        phi_1220_ = _e450;
                     }
-                    let _e411 = phi_1180_;
-                    if _e411 {
-                        let _e413 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e415 = p.member.map_size;
-                        let _e485 = ((abs(((((_e388.row_x.x * _e413.x) + (_e388.row_x.y * _e413.y)) + (_e388.row_x.z * _e413.z)) / (((_e388.row_x.x * _e388.row_x.x) + (_e388.row_x.y * _e388.row_x.y)) + (_e388.row_x.z * _e388.row_x.z)))) + abs(((((_e388.row_y.x * _e413.x) + (_e388.row_y.y * _e413.y)) + (_e388.row_y.z * _e413.z)) / (((_e388.row_y.x * _e388.row_y.x) + (_e388.row_y.y * _e388.row_y.y)) + (_e388.row_y.z * _e388.row_y.z))))) / (abs(((((_e388.row_z.x * _e413.x) + (_e388.row_z.y * _e413.y)) + (_e388.row_z.z * _e413.z)) / (((_e388.row_z.x * _e388.row_z.x) + (_e388.row_z.y * _e388.row_z.y)) + (_e388.row_z.z * _e388.row_z.z)))) * f32(_e415)));
-                        if (_e485 < 0.002f) {
-                            phi_1262_ = _e485;
+                    let _e454 = phi_1220_;
+                    if _e454 {
+                        let _e456 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e458 = p.member.map_size;
+                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
+                        if (_e528 < 0.002f) {
+                            phi_1302_ = _e528;
                         } else {
-                            phi_1262_ = 0.002f;
+                            phi_1302_ = 0.002f;
                         }
-                        let _e488 = phi_1262_;
-                        phi_1379_ = _e488;
+                        let _e531 = phi_1302_;
+                        phi_1421_ = _e531;
                     } else {
-                        let _e490 = p.member.map_size;
-                        let _e496 = samples.member[(0u + _e62.first_primitive)].position;
-                        let _e507 = ((((_e388.row_w.x * _e496.x) + (_e388.row_w.y * _e496.y)) + (_e388.row_w.z * _e496.z)) + _e388.row_w.w);
-                        let _e520 = ((_e388.row_x.x - (_e388.row_w.x * _e377.point.uv.x)) / _e507);
-                        let _e521 = ((_e388.row_x.y - (_e388.row_w.y * _e377.point.uv.x)) / _e507);
-                        let _e522 = ((_e388.row_x.z - (_e388.row_w.z * _e377.point.uv.x)) / _e507);
-                        let _e535 = ((_e388.row_y.x - (_e388.row_w.x * _e377.point.uv.y)) / _e507);
-                        let _e536 = ((_e388.row_y.y - (_e388.row_w.y * _e377.point.uv.y)) / _e507);
-                        let _e537 = ((_e388.row_y.z - (_e388.row_w.z * _e377.point.uv.y)) / _e507);
-                        let _e543 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e548 = ((_e536 * _e543.z) - (_e543.y * _e537));
-                        let _e553 = ((_e537 * _e543.x) - (_e543.z * _e535));
-                        let _e558 = ((_e535 * _e543.y) - (_e543.x * _e536));
-                        let _e560 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e565 = ((_e521 * _e560.z) - (_e560.y * _e522));
-                        let _e570 = ((_e522 * _e560.x) - (_e560.z * _e520));
-                        let _e575 = ((_e520 * _e560.y) - (_e560.x * _e521));
-                        let _e602 = ((abs(((((_e388.row_z.x * _e548) + (_e388.row_z.y * _e553)) + (_e388.row_z.z * _e558)) / (((_e520 * _e548) + (_e521 * _e553)) + (_e522 * _e558)))) + abs(((((_e388.row_z.x * _e565) + (_e388.row_z.y * _e570)) + (_e388.row_z.z * _e575)) / (((_e535 * _e565) + (_e536 * _e570)) + (_e537 * _e575))))) / f32(_e490));
-                        if (_e602 < 0.002f) {
-                            phi_1378_ = _e602;
+                        let _e533 = p.member.map_size;
+                        let _e539 = samples.member[(0u + _e62.first_primitive)].position;
+                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
+                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
+                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
+                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
+                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
+                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
+                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
+                        let _e586 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
+                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
+                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
+                        let _e603 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
+                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
+                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
+                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
+                        let _e647 = (16f / f32(_e533));
+                        if (_e645 < _e647) {
+                            phi_1420_ = _e645;
                         } else {
-                            phi_1378_ = 0.002f;
+                            phi_1420_ = _e647;
                         }
-                        let _e605 = phi_1378_;
-                        phi_1379_ = _e605;
+                        let _e650 = phi_1420_;
+                        phi_1421_ = _e650;
                     }
-                    let _e607 = phi_1379_;
-                    phi_1382_ = (_e377.point.depth - (0f * _e607));
+                    let _e652 = phi_1421_;
+                    phi_1424_ = (_e420.point.depth - (0f * _e652));
                 } else {
-                    phi_1382_ = _e377.point.depth;
+                    phi_1424_ = _e420.point.depth;
                 }
-                let _e611 = phi_1382_;
-                let _e617 = p.member.map_size;
-                let _e618 = f32(_e617);
-                let _e621 = ((_e377.point.uv.x * _e618) - 0.5f);
-                let _e622 = ((_e377.point.uv.y * _e618) - 0.5f);
-                if (_e621 > -8388608f) {
-                    let _e634 = f32(select(0i, select(select(i32(_e621), i32(-2147483648), (_e621 < bitcast<f32>(3472883712u))), 2147483647i, (_e621 > bitcast<f32>(1325400063u))), (_e621 == _e621)));
-                    if (_e634 > _e621) {
-                        phi_1411_ = 1f;
+                let _e656 = phi_1424_;
+                let _e662 = p.member.map_size;
+                let _e663 = f32(_e662);
+                let _e666 = ((_e420.point.uv.x * _e663) - 0.5f);
+                let _e667 = ((_e420.point.uv.y * _e663) - 0.5f);
+                if (_e666 > -8388608f) {
+                    let _e679 = f32(select(0i, select(select(i32(_e666), i32(-2147483648), (_e666 < bitcast<f32>(3472883712u))), 2147483647i, (_e666 > bitcast<f32>(1325400063u))), (_e666 == _e666)));
+                    if (_e679 > _e666) {
+                        phi_1453_ = 1f;
                     } else {
-                        phi_1411_ = 0f;
+                        phi_1453_ = 0f;
                     }
-                    let _e637 = phi_1411_;
-                    if (_e621 < 8388608f) {
-                        phi_1416_ = (_e634 - _e637);
-                        phi_1417_ = false;
+                    let _e682 = phi_1453_;
+                    if (_e666 < 8388608f) {
+                        phi_1458_ = (_e679 - _e682);
+                        phi_1459_ = false;
                     } else {
-                        phi_1416_ = f32();
-                        phi_1417_ = true;
+                        phi_1458_ = f32();
+                        phi_1459_ = true;
                     }
-                    let _e640 = phi_1416_;
-                    let _e642 = phi_1417_;
-                    phi_1418_ = _e640;
-                    phi_1419_ = _e642;
+                    let _e685 = phi_1458_;
+                    let _e687 = phi_1459_;
+                    phi_1460_ = _e685;
+                    phi_1461_ = _e687;
                 } else {
-                    phi_1418_ = f32();
-                    phi_1419_ = true;
+                    phi_1460_ = f32();
+                    phi_1461_ = true;
                 }
-                let _e644 = phi_1418_;
-                let _e646 = phi_1419_;
-                if _e646 {
-                    phi_1423_ = _e621;
+                let _e689 = phi_1460_;
+                let _e691 = phi_1461_;
+                if _e691 {
+                    phi_1465_ = _e666;
                 } else {
-                    phi_1423_ = _e644;
+                    phi_1465_ = _e689;
                 }
-                let _e648 = phi_1423_;
-                if (_e622 > -8388608f) {
-                    let _e660 = f32(select(0i, select(select(i32(_e622), i32(-2147483648), (_e622 < bitcast<f32>(3472883712u))), 2147483647i, (_e622 > bitcast<f32>(1325400063u))), (_e622 == _e622)));
-                    if (_e660 > _e622) {
-                        phi_1443_ = 1f;
+                let _e693 = phi_1465_;
+                if (_e667 > -8388608f) {
+                    let _e705 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
+                    if (_e705 > _e667) {
+                        phi_1485_ = 1f;
                     } else {
-                        phi_1443_ = 0f;
+                        phi_1485_ = 0f;
                     }
-                    let _e663 = phi_1443_;
-                    if (_e622 < 8388608f) {
-                        phi_1448_ = (_e660 - _e663);
-                        phi_1449_ = false;
+                    let _e708 = phi_1485_;
+                    if (_e667 < 8388608f) {
+                        phi_1490_ = (_e705 - _e708);
+                        phi_1491_ = false;
                     } else {
-                        phi_1448_ = f32();
-                        phi_1449_ = true;
+                        phi_1490_ = f32();
+                        phi_1491_ = true;
                     }
-                    let _e666 = phi_1448_;
-                    let _e668 = phi_1449_;
-                    phi_1450_ = _e666;
-                    phi_1451_ = _e668;
+                    let _e711 = phi_1490_;
+                    let _e713 = phi_1491_;
+                    phi_1492_ = _e711;
+                    phi_1493_ = _e713;
                 } else {
-                    phi_1450_ = f32();
-                    phi_1451_ = true;
+                    phi_1492_ = f32();
+                    phi_1493_ = true;
                 }
-                let _e670 = phi_1450_;
-                let _e672 = phi_1451_;
-                if _e672 {
-                    phi_1455_ = _e622;
+                let _e715 = phi_1492_;
+                let _e717 = phi_1493_;
+                if _e717 {
+                    phi_1497_ = _e667;
                 } else {
-                    phi_1455_ = _e670;
+                    phi_1497_ = _e715;
                 }
-                let _e674 = phi_1455_;
-                let _e675 = (_e621 - _e648);
-                let _e676 = (_e622 - _e674);
-                let _e685 = select(0i, select(select(i32(_e648), i32(-2147483648), (_e648 < bitcast<f32>(3472883712u))), 2147483647i, (_e648 > bitcast<f32>(1325400063u))), (_e648 == _e648));
-                let _e694 = select(0i, select(select(i32(_e674), i32(-2147483648), (_e674 < bitcast<f32>(3472883712u))), 2147483647i, (_e674 > bitcast<f32>(1325400063u))), (_e674 == _e674));
-                let _e705 = p.member.test;
-                let _e706 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e705);
-                let _e708 = p.member.map_size;
-                let _e710 = local_3;
-                local = _e706;
-                let _e713 = ((_e710.level * _e708) * _e708);
-                let _e715 = (bitcast<i32>(_e708) - 1i);
-                if (_e685 > 0i) {
-                    phi_1504_ = _e685;
-                } else {
-                    phi_1504_ = 0i;
-                }
-                let _e718 = phi_1504_;
-                if (_e694 > 0i) {
-                    phi_1509_ = _e694;
-                } else {
-                    phi_1509_ = 0i;
-                }
-                let _e721 = phi_1509_;
-                if (_e718 < _e715) {
-                    phi_1514_ = _e718;
-                } else {
-                    phi_1514_ = _e715;
-                }
-                let _e724 = phi_1514_;
-                if (_e721 < _e715) {
-                    phi_1519_ = _e721;
-                } else {
-                    phi_1519_ = _e715;
-                }
-                let _e727 = phi_1519_;
-                let _e728 = bitcast<u32>(_e724);
-                let _e730 = (_e685 + 1i);
-                let _e731 = (_e694 + 1i);
+                let _e719 = phi_1497_;
+                let _e720 = (_e666 - _e693);
+                let _e721 = (_e667 - _e719);
+                let _e730 = select(0i, select(select(i32(_e693), i32(-2147483648), (_e693 < bitcast<f32>(3472883712u))), 2147483647i, (_e693 > bitcast<f32>(1325400063u))), (_e693 == _e693));
+                let _e739 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < bitcast<f32>(3472883712u))), 2147483647i, (_e719 > bitcast<f32>(1325400063u))), (_e719 == _e719));
+                let _e750 = p.member.test;
+                let _e751 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e750);
+                let _e753 = p.member.map_size;
+                let _e755 = local_3;
+                local = _e751;
+                let _e758 = ((_e755.level * _e753) * _e753);
+                let _e760 = (bitcast<i32>(_e753) - 1i);
                 if (_e730 > 0i) {
-                    phi_1528_ = _e730;
+                    phi_1546_ = _e730;
                 } else {
-                    phi_1528_ = 0i;
+                    phi_1546_ = 0i;
                 }
-                let _e734 = phi_1528_;
-                if (_e731 > 0i) {
-                    phi_1533_ = _e731;
+                let _e763 = phi_1546_;
+                if (_e739 > 0i) {
+                    phi_1551_ = _e739;
                 } else {
-                    phi_1533_ = 0i;
+                    phi_1551_ = 0i;
                 }
-                let _e737 = phi_1533_;
-                if (_e734 < _e715) {
-                    phi_1538_ = _e734;
+                let _e766 = phi_1551_;
+                if (_e763 < _e760) {
+                    phi_1556_ = _e763;
                 } else {
-                    phi_1538_ = _e715;
+                    phi_1556_ = _e760;
                 }
-                let _e740 = phi_1538_;
-                if (_e737 < _e715) {
-                    phi_1543_ = _e737;
+                let _e769 = phi_1556_;
+                if (_e766 < _e760) {
+                    phi_1561_ = _e766;
                 } else {
-                    phi_1543_ = _e715;
+                    phi_1561_ = _e760;
                 }
-                let _e743 = phi_1543_;
-                let _e744 = bitcast<u32>(_e740);
-                let _e746 = (bitcast<u32>(_e727) * _e708);
-                let _e747 = (bitcast<u32>(_e743) * _e708);
-                let _e752 = ((_e746 + _e728) + _e713);
-                let _e753 = ((_e746 + _e744) + _e713);
-                let _e754 = ((_e747 + _e728) + _e713);
-                let _e755 = ((_e747 + _e744) + _e713);
-                if (_e752 < _e50) {
+                let _e772 = phi_1561_;
+                let _e773 = bitcast<u32>(_e769);
+                let _e775 = (_e730 + 1i);
+                let _e776 = (_e739 + 1i);
+                if (_e775 > 0i) {
+                    phi_1570_ = _e775;
+                } else {
+                    phi_1570_ = 0i;
+                }
+                let _e779 = phi_1570_;
+                if (_e776 > 0i) {
+                    phi_1575_ = _e776;
+                } else {
+                    phi_1575_ = 0i;
+                }
+                let _e782 = phi_1575_;
+                if (_e779 < _e760) {
+                    phi_1580_ = _e779;
+                } else {
+                    phi_1580_ = _e760;
+                }
+                let _e785 = phi_1580_;
+                if (_e782 < _e760) {
+                    phi_1585_ = _e782;
+                } else {
+                    phi_1585_ = _e760;
+                }
+                let _e788 = phi_1585_;
+                let _e789 = bitcast<u32>(_e785);
+                let _e791 = (bitcast<u32>(_e772) * _e753);
+                let _e792 = (bitcast<u32>(_e788) * _e753);
+                let _e797 = ((_e791 + _e773) + _e758);
+                let _e798 = ((_e791 + _e789) + _e758);
+                let _e799 = ((_e792 + _e773) + _e758);
+                let _e800 = ((_e792 + _e789) + _e758);
+                if (_e797 < _e50) {
                 } else {
                     return;
                 }
-                let _e759 = map.member[(0u + _e752)];
-                if (_e753 < _e50) {
+                let _e804 = map.member[(0u + _e797)];
+                if (_e798 < _e50) {
                 } else {
                     return;
                 }
-                let _e763 = map.member[(0u + _e753)];
-                if (_e754 < _e50) {
+                let _e808 = map.member[(0u + _e798)];
+                if (_e799 < _e50) {
                 } else {
                     return;
                 }
-                let _e767 = map.member[(0u + _e754)];
-                if (_e755 < _e50) {
+                let _e812 = map.member[(0u + _e799)];
+                if (_e800 < _e50) {
                 } else {
                     return;
                 }
-                let _e771 = map.member[(0u + _e755)];
-                let _e773 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e759, _e763, _e767, _e771), vec4<f32>(((1f - _e675) * (1f - _e676)), (_e675 * (1f - _e676)), ((1f - _e675) * _e676), (_e675 * _e676)), _e611);
-                let _e775 = p.member.fade_uv;
-                if (_e775 > 0f) {
-                    let _e778 = local_4;
-                    if ((_e778.level + 1u) == _e68) {
-                        let _e787 = p.member.fade_uv;
-                        let _e789 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e377.point.uv.x, (1f - _e377.point.uv.x));
-                        let _e791 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e377.point.uv.y, (1f - _e377.point.uv.y));
-                        let _e792 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e789, _e791);
-                        if (_e792 < _e787) {
-                            phi_1615_ = (1f - ((1f - _e773) * (_e792 / _e787)));
-                        } else {
-                            phi_1615_ = _e773;
-                        }
-                        let _e799 = phi_1615_;
-                        phi_1617_ = evaluate_Verdict(_e799, false);
-                        phi_1618_ = false;
-                    } else {
-                        phi_1617_ = evaluate_Verdict();
-                        phi_1618_ = true;
-                    }
-                    let _e802 = phi_1617_;
-                    let _e804 = phi_1618_;
-                    phi_1619_ = _e802;
-                    phi_1620_ = _e804;
-                } else {
-                    phi_1619_ = evaluate_Verdict();
-                    phi_1620_ = true;
-                }
-                let _e806 = phi_1619_;
-                let _e808 = phi_1620_;
-                if _e808 {
-                    phi_1625_ = evaluate_Verdict(_e773, false);
-                    phi_1626_ = false;
-                } else {
-                    phi_1625_ = evaluate_Verdict();
-                    phi_1626_ = true;
-                }
-                let _e811 = phi_1625_;
-                let _e813 = phi_1626_;
-                phi_1628_ = _e811;
-                phi_1629_ = _e806;
-                phi_1630_ = _e813;
+                let _e816 = map.member[(0u + _e800)];
+                let _e818 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e804, _e808, _e812, _e816), vec4<f32>(((1f - _e720) * (1f - _e721)), (_e720 * (1f - _e721)), ((1f - _e720) * _e721), (_e720 * _e721)), _e656);
+                phi_1630_ = evaluate_Verdict(_e818, false);
+                phi_1631_ = evaluate_Verdict();
+                phi_1632_ = false;
             } else {
-                phi_1628_ = evaluate_Verdict();
-                phi_1629_ = evaluate_Verdict(1f, false);
-                phi_1630_ = true;
+                phi_1630_ = evaluate_Verdict();
+                phi_1631_ = evaluate_Verdict(1f, false);
+                phi_1632_ = true;
             }
-            let _e816 = phi_1628_;
-            let _e818 = phi_1629_;
-            let _e820 = phi_1630_;
-            if _e820 {
-            }
-            phi_1634_ = _e818;
-            phi_1635_ = _e816;
-            phi_1636_ = _e820;
+            let _e822 = phi_1630_;
+            let _e824 = phi_1631_;
+            let _e826 = phi_1632_;
+            phi_1633_ = _e824;
+            phi_1634_ = _e822;
+            phi_1635_ = _e826;
         }
-        let _e822 = phi_1634_;
-        let _e824 = phi_1635_;
-        let _e826 = phi_1636_;
-        if _e826 {
-            phi_1640_ = _e822;
+        let _e828 = phi_1633_;
+        let _e830 = phi_1634_;
+        let _e832 = phi_1635_;
+        if _e832 {
+            phi_1639_ = _e828;
         } else {
-            phi_1640_ = _e824;
+            phi_1639_ = _e830;
         }
-        let _e828 = phi_1640_;
+        let _e834 = phi_1639_;
         if (_e62.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e62.first_primitive)] = _e828.visibility;
+        visibility.member[(0u + _e62.first_primitive)] = _e834.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,18 +48,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_29 {
+struct type_31 {
     member: abi_ShadowParams,
 }
 
@@ -60,7 +69,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_35 {
+struct type_37 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -74,45 +83,45 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_29;
+var<uniform> p: type_31;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_35;
+var<storage> levels: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_140_: lt_bvh_traverse_Tree;
-    var phi_141_: bool;
     var phi_142_: lt_bvh_traverse_Tree;
     var phi_143_: bool;
-    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_144_: lt_bvh_traverse_Tree;
+    var phi_145_: bool;
+    var phi_150_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_140_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_141_ = false;
+            phi_142_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_143_ = false;
         } else {
-            phi_140_ = lt_bvh_traverse_Tree();
-            phi_141_ = true;
+            phi_142_ = lt_bvh_traverse_Tree();
+            phi_143_ = true;
         }
-        let _e52 = phi_140_;
-        let _e54 = phi_141_;
-        phi_142_ = _e52;
-        phi_143_ = _e54;
+        let _e52 = phi_142_;
+        let _e54 = phi_143_;
+        phi_144_ = _e52;
+        phi_145_ = _e54;
     } else {
-        phi_142_ = lt_bvh_traverse_Tree();
-        phi_143_ = true;
+        phi_144_ = lt_bvh_traverse_Tree();
+        phi_145_ = true;
     }
-    let _e56 = phi_142_;
-    let _e58 = phi_143_;
+    let _e56 = phi_144_;
+    let _e58 = phi_145_;
     if _e58 {
-        phi_148_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_150_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_148_ = _e56;
+        phi_150_ = _e56;
     }
-    let _e63 = phi_148_;
+    let _e63 = phi_150_;
     return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
@@ -121,320 +130,306 @@ fn _lt_math_pcf_Pcf_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_pcf_Pcf_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_175_: f32;
-    var phi_176_: f32;
     var phi_177_: f32;
-    var phi_193_: f32;
-    var phi_194_: f32;
+    var phi_178_: f32;
+    var phi_179_: f32;
     var phi_195_: f32;
-    var phi_211_: f32;
-    var phi_212_: f32;
+    var phi_196_: f32;
+    var phi_197_: f32;
     var phi_213_: f32;
-    var phi_229_: f32;
-    var phi_230_: f32;
+    var phi_214_: f32;
+    var phi_215_: f32;
     var phi_231_: f32;
-    var phi_251_: f32;
-    var phi_252_: f32;
+    var phi_232_: f32;
+    var phi_233_: f32;
     var phi_253_: f32;
-    var phi_270_: f32;
-    var phi_271_: f32;
+    var phi_254_: f32;
+    var phi_255_: f32;
     var phi_272_: f32;
-    var phi_289_: f32;
-    var phi_290_: f32;
+    var phi_273_: f32;
+    var phi_274_: f32;
     var phi_291_: f32;
-    var phi_308_: f32;
-    var phi_309_: f32;
+    var phi_292_: f32;
+    var phi_293_: f32;
     var phi_310_: f32;
-    var phi_327_: f32;
-    var phi_328_: f32;
+    var phi_311_: f32;
+    var phi_312_: f32;
     var phi_329_: f32;
-    var phi_355_: f32;
-    var phi_356_: f32;
+    var phi_330_: f32;
+    var phi_331_: f32;
     var phi_357_: f32;
+    var phi_358_: f32;
+    var phi_359_: f32;
 
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_177_ = param_5.x;
+        phi_179_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_176_ = 0f;
+            phi_178_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_175_ = 1f;
+                phi_177_ = 1f;
             } else {
-                phi_175_ = param_5.x;
+                phi_177_ = param_5.x;
             }
-            let _e50 = phi_175_;
-            phi_176_ = _e50;
+            let _e50 = phi_177_;
+            phi_178_ = _e50;
         }
-        let _e52 = phi_176_;
-        phi_177_ = _e52;
+        let _e52 = phi_178_;
+        phi_179_ = _e52;
     }
-    let _e54 = phi_177_;
+    let _e54 = phi_179_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_195_ = param_5.y;
+        phi_197_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_194_ = 0f;
+            phi_196_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_193_ = 1f;
+                phi_195_ = 1f;
             } else {
-                phi_193_ = param_5.y;
+                phi_195_ = param_5.y;
             }
-            let _e62 = phi_193_;
-            phi_194_ = _e62;
+            let _e62 = phi_195_;
+            phi_196_ = _e62;
         }
-        let _e64 = phi_194_;
-        phi_195_ = _e64;
+        let _e64 = phi_196_;
+        phi_197_ = _e64;
     }
-    let _e66 = phi_195_;
+    let _e66 = phi_197_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_213_ = param_5.z;
+        phi_215_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_212_ = 0f;
+            phi_214_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_211_ = 1f;
+                phi_213_ = 1f;
             } else {
-                phi_211_ = param_5.z;
+                phi_213_ = param_5.z;
             }
-            let _e74 = phi_211_;
-            phi_212_ = _e74;
+            let _e74 = phi_213_;
+            phi_214_ = _e74;
         }
-        let _e76 = phi_212_;
-        phi_213_ = _e76;
+        let _e76 = phi_214_;
+        phi_215_ = _e76;
     }
-    let _e78 = phi_213_;
+    let _e78 = phi_215_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_231_ = param_5.w;
+        phi_233_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_230_ = 0f;
+            phi_232_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_229_ = 1f;
+                phi_231_ = 1f;
             } else {
-                phi_229_ = param_5.w;
+                phi_231_ = param_5.w;
             }
-            let _e86 = phi_229_;
-            phi_230_ = _e86;
+            let _e86 = phi_231_;
+            phi_232_ = _e86;
         }
-        let _e88 = phi_230_;
-        phi_231_ = _e88;
+        let _e88 = phi_232_;
+        phi_233_ = _e88;
     }
-    let _e90 = phi_231_;
+    let _e90 = phi_233_;
     let _e91 = (*param_4);
     let _e92 = (_e54 + _e91);
     let _e93 = (_e66 + _e91);
     let _e94 = (_e78 + _e91);
     let _e95 = (_e90 + _e91);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_253_ = param_7;
+        phi_255_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_252_ = 0f;
+            phi_254_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_251_ = 1f;
+                phi_253_ = 1f;
             } else {
-                phi_251_ = param_7;
+                phi_253_ = param_7;
             }
-            let _e102 = phi_251_;
-            phi_252_ = _e102;
+            let _e102 = phi_253_;
+            phi_254_ = _e102;
         }
-        let _e104 = phi_252_;
-        phi_253_ = _e104;
+        let _e104 = phi_254_;
+        phi_255_ = _e104;
     }
-    let _e106 = phi_253_;
+    let _e106 = phi_255_;
     if ((bitcast<u32>(_e92) & 2147483647u) > 2139095040u) {
-        phi_272_ = _e92;
+        phi_274_ = _e92;
     } else {
         if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-            phi_271_ = _e106;
+            phi_273_ = _e106;
         } else {
             if (_e92 < _e106) {
-                phi_270_ = 0f;
+                phi_272_ = 0f;
             } else {
-                phi_270_ = 1f;
+                phi_272_ = 1f;
             }
-            let _e115 = phi_270_;
-            phi_271_ = _e115;
+            let _e115 = phi_272_;
+            phi_273_ = _e115;
         }
-        let _e117 = phi_271_;
-        phi_272_ = _e117;
+        let _e117 = phi_273_;
+        phi_274_ = _e117;
     }
-    let _e119 = phi_272_;
+    let _e119 = phi_274_;
     if ((bitcast<u32>(_e93) & 2147483647u) > 2139095040u) {
-        phi_291_ = _e93;
+        phi_293_ = _e93;
     } else {
         if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-            phi_290_ = _e106;
+            phi_292_ = _e106;
         } else {
             if (_e93 < _e106) {
-                phi_289_ = 0f;
+                phi_291_ = 0f;
             } else {
-                phi_289_ = 1f;
+                phi_291_ = 1f;
             }
-            let _e128 = phi_289_;
-            phi_290_ = _e128;
+            let _e128 = phi_291_;
+            phi_292_ = _e128;
         }
-        let _e130 = phi_290_;
-        phi_291_ = _e130;
+        let _e130 = phi_292_;
+        phi_293_ = _e130;
     }
-    let _e132 = phi_291_;
+    let _e132 = phi_293_;
     if ((bitcast<u32>(_e94) & 2147483647u) > 2139095040u) {
-        phi_310_ = _e94;
+        phi_312_ = _e94;
     } else {
         if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-            phi_309_ = _e106;
+            phi_311_ = _e106;
         } else {
             if (_e94 < _e106) {
-                phi_308_ = 0f;
+                phi_310_ = 0f;
             } else {
-                phi_308_ = 1f;
+                phi_310_ = 1f;
             }
-            let _e141 = phi_308_;
-            phi_309_ = _e141;
+            let _e141 = phi_310_;
+            phi_311_ = _e141;
         }
-        let _e143 = phi_309_;
-        phi_310_ = _e143;
+        let _e143 = phi_311_;
+        phi_312_ = _e143;
     }
-    let _e145 = phi_310_;
+    let _e145 = phi_312_;
     if ((bitcast<u32>(_e95) & 2147483647u) > 2139095040u) {
-        phi_329_ = _e95;
+        phi_331_ = _e95;
     } else {
         if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-            phi_328_ = _e106;
+            phi_330_ = _e106;
         } else {
             if (_e95 < _e106) {
-                phi_327_ = 0f;
+                phi_329_ = 0f;
             } else {
-                phi_327_ = 1f;
+                phi_329_ = 1f;
             }
-            let _e154 = phi_327_;
-            phi_328_ = _e154;
+            let _e154 = phi_329_;
+            phi_330_ = _e154;
         }
-        let _e156 = phi_328_;
-        phi_329_ = _e156;
+        let _e156 = phi_330_;
+        phi_331_ = _e156;
     }
-    let _e158 = phi_329_;
+    let _e158 = phi_331_;
     let _e169 = ((((_e119 * param_6.x) + (_e132 * param_6.y)) + (_e145 * param_6.z)) + (_e158 * param_6.w));
     if ((bitcast<u32>(_e169) & 2147483647u) > 2139095040u) {
-        phi_357_ = _e169;
+        phi_359_ = _e169;
     } else {
         if (_e169 < 0f) {
-            phi_356_ = 0f;
+            phi_358_ = 0f;
         } else {
             if (_e169 > 1f) {
-                phi_355_ = 1f;
+                phi_357_ = 1f;
             } else {
-                phi_355_ = _e169;
+                phi_357_ = _e169;
             }
-            let _e176 = phi_355_;
-            phi_356_ = _e176;
+            let _e176 = phi_357_;
+            phi_358_ = _e176;
         }
-        let _e178 = phi_356_;
-        phi_357_ = _e178;
+        let _e178 = phi_358_;
+        phi_359_ = _e178;
     }
-    let _e180 = phi_357_;
+    let _e180 = phi_359_;
     return _e180;
-}
-
-fn lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(param_8: f32, param_9: f32) -> f32 {
-    var phi_365_: f32;
-
-    if (param_8 < param_9) {
-        phi_365_ = param_8;
-    } else {
-        phi_365_ = param_9;
-    }
-    let _e43 = phi_365_;
-    return _e43;
 }
 
 fn function_() {
     var local: f32;
+    var phi_419_: bool;
+    var phi_420_: bool;
+    var phi_421_: bool;
+    var phi_422_: bool;
     var phi_426_: bool;
-    var phi_427_: bool;
-    var phi_428_: bool;
-    var phi_429_: bool;
-    var phi_433_: bool;
-    var phi_477_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_481_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_501_: lt_math_LightPoint;
-    var phi_504_: u32;
-    var phi_506_: lt_math_LevelPoint;
-    var phi_592_: bool;
-    var phi_601_: bool;
-    var phi_610_: bool;
-    var phi_611_: bool;
-    var phi_612_: bool;
-    var phi_613_: bool;
-    var phi_614_: bool;
-    var phi_615_: bool;
-    var phi_616_: bool;
-    var phi_620_: bool;
-    var phi_647_: bool;
-    var phi_648_: bool;
-    var phi_649_: bool;
-    var phi_650_: bool;
+    var phi_496_: bool;
+    var phi_497_: bool;
+    var phi_508_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_509_: bool;
+    var phi_510_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_511_: bool;
+    var phi_518_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_522_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_542_: lt_math_LightPoint;
+    var phi_545_: u32;
+    var phi_547_: lt_math_LevelPoint;
+    var phi_633_: bool;
+    var phi_642_: bool;
     var phi_651_: bool;
     var phi_652_: bool;
     var phi_653_: bool;
     var phi_654_: bool;
-    var phi_658_: bool;
-    var phi_667_: lt_math_LightPoint;
-    var phi_668_: u32;
-    var phi_669_: lt_math_LevelPoint;
-    var phi_670_: bool;
-    var phi_502_: lt_math_LightPoint;
-    var phi_505_: u32;
-    var phi_507_: lt_math_LevelPoint;
-    var phi_671_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_661_: bool;
+    var phi_688_: bool;
+    var phi_689_: bool;
+    var phi_690_: bool;
+    var phi_691_: bool;
+    var phi_692_: bool;
+    var phi_693_: bool;
+    var phi_694_: bool;
+    var phi_695_: bool;
+    var phi_699_: bool;
+    var phi_708_: lt_math_LightPoint;
+    var phi_709_: u32;
+    var phi_710_: lt_math_LevelPoint;
+    var phi_711_: bool;
+    var phi_543_: lt_math_LightPoint;
+    var phi_546_: u32;
+    var phi_548_: lt_math_LevelPoint;
+    var phi_712_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_711_: bool;
-    var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_714_: bool;
-    var phi_718_: bool;
-    var phi_800_: f32;
-    var phi_916_: f32;
-    var phi_917_: f32;
-    var phi_920_: f32;
-    var phi_949_: f32;
-    var phi_954_: f32;
-    var phi_955_: bool;
-    var phi_956_: f32;
-    var phi_957_: bool;
-    var phi_961_: f32;
-    var phi_981_: f32;
-    var phi_986_: f32;
-    var phi_987_: bool;
-    var phi_988_: f32;
-    var phi_989_: bool;
-    var phi_993_: f32;
+    var phi_752_: bool;
+    var phi_753_: bool;
+    var phi_754_: bool;
+    var phi_755_: bool;
+    var phi_759_: bool;
+    var phi_841_: f32;
+    var phi_959_: f32;
+    var phi_960_: f32;
+    var phi_963_: f32;
+    var phi_992_: f32;
+    var phi_997_: f32;
+    var phi_998_: bool;
+    var phi_999_: f32;
+    var phi_1000_: bool;
+    var phi_1004_: f32;
+    var phi_1024_: f32;
+    var phi_1029_: f32;
+    var phi_1030_: bool;
+    var phi_1031_: f32;
+    var phi_1032_: bool;
+    var phi_1036_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1042_: i32;
-    var phi_1047_: i32;
-    var phi_1052_: i32;
-    var phi_1057_: i32;
-    var phi_1066_: i32;
-    var phi_1071_: i32;
-    var phi_1076_: i32;
-    var phi_1081_: i32;
-    var local_4: lt_math_LevelPoint;
-    var phi_1153_: f32;
-    var phi_1155_: evaluate_Verdict;
-    var phi_1156_: bool;
-    var phi_1157_: evaluate_Verdict;
-    var phi_1158_: bool;
-    var phi_1163_: evaluate_Verdict;
-    var phi_1164_: bool;
-    var phi_1166_: evaluate_Verdict;
-    var phi_1167_: evaluate_Verdict;
-    var phi_1168_: bool;
+    var phi_1085_: i32;
+    var phi_1090_: i32;
+    var phi_1095_: i32;
+    var phi_1100_: i32;
+    var phi_1109_: i32;
+    var phi_1114_: i32;
+    var phi_1119_: i32;
+    var phi_1124_: i32;
+    var phi_1169_: evaluate_Verdict;
+    var phi_1170_: evaluate_Verdict;
+    var phi_1171_: bool;
     var phi_1172_: evaluate_Verdict;
     var phi_1173_: evaluate_Verdict;
     var phi_1174_: bool;
@@ -452,533 +447,531 @@ fn function_() {
         } else {
             return;
         }
-        let _e70 = p.member.light;
-        let _e73 = samples.member[(0u + _e59.first_primitive)].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[(0u + _e59.first_primitive)].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[(0u + _e59.first_primitive)].normal[2u];
-                let _e85 = global[2u];
-                phi_426_ = (_e83 == _e85);
-                phi_427_ = false;
+        let _e72 = samples.member[(0u + _e59.first_primitive)].normal[0u];
+        let _e74 = global[0u];
+        if (_e72 == _e74) {
+            let _e77 = samples.member[(0u + _e59.first_primitive)].normal[1u];
+            let _e79 = global[1u];
+            if (_e77 == _e79) {
+                let _e82 = samples.member[(0u + _e59.first_primitive)].normal[2u];
+                let _e84 = global[2u];
+                phi_419_ = (_e82 == _e84);
+                phi_420_ = false;
             } else {
-                phi_426_ = bool();
-                phi_427_ = true;
+                phi_419_ = bool();
+                phi_420_ = true;
             }
-            let _e88 = phi_426_;
-            let _e90 = phi_427_;
-            phi_428_ = _e88;
-            phi_429_ = _e90;
+            let _e87 = phi_419_;
+            let _e89 = phi_420_;
+            phi_421_ = _e87;
+            phi_422_ = _e89;
         } else {
-            phi_428_ = bool();
-            phi_429_ = true;
+            phi_421_ = bool();
+            phi_422_ = true;
         }
-        let _e92 = phi_428_;
-        let _e94 = phi_429_;
-        if _e94 {
-            phi_433_ = false;
+        let _e91 = phi_421_;
+        let _e93 = phi_422_;
+        if _e93 {
+            phi_426_ = false;
         } else {
-            phi_433_ = _e92;
+            phi_426_ = _e91;
         }
-        let _e96 = phi_433_;
-        if !(_e96) {
-            let _e99 = samples.member[(0u + _e59.first_primitive)].normal;
-            let _e101 = samples.member[(0u + _e59.first_primitive)].position;
-            if ((((_e99.x * (_e70.x - (_e101.x * _e70.w))) + (_e99.y * (_e70.y - (_e101.y * _e70.w)))) + (_e99.z * (_e70.z - (_e101.z * _e70.w)))) > 0f) {
-                let _e125 = samples.member[(0u + _e59.first_primitive)].flags;
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e133.unnamed.visibility, false), _e133.unnamed_1);
-                phi_477_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e139.unnamed, ((_e125 & 1u) == 0u));
+        let _e95 = phi_426_;
+        if !(_e95) {
+            let _e98 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e100 = p.member.light.place;
+            let _e106 = p.member.light.place[3u];
+            let _e113 = (_e100.x - (_e98.x * _e106));
+            let _e114 = (_e100.y - (_e98.y * _e106));
+            let _e115 = (_e100.z - (_e98.z * _e106));
+            let _e117 = samples.member[(0u + _e59.first_primitive)].normal;
+            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
+                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
+                let _e133 = p.member.light.axis;
+                let _e145 = p.member.light.place[3u];
+                if (_e145 == 0f) {
+                    phi_497_ = true;
+                } else {
+                    let _e148 = p.member.light.range_squared;
+                    if (_e131 <= _e148) {
+                        let _e151 = p.member.light.cos_outer;
+                        phi_496_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
+                    } else {
+                        phi_496_ = false;
+                    }
+                    let _e156 = phi_496_;
+                    phi_497_ = _e156;
+                }
+                let _e158 = phi_497_;
+                if _e158 {
+                    let _e160 = samples.member[(0u + _e59.first_primitive)].flags;
+                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+                    phi_508_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
+                    phi_509_ = false;
+                } else {
+                    phi_508_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_509_ = true;
+                }
+                let _e179 = phi_508_;
+                let _e181 = phi_509_;
+                phi_510_ = _e179;
+                phi_511_ = _e181;
             } else {
-                let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e148.unnamed.visibility, false), _e148.unnamed_1);
-                phi_477_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e154.unnamed, true);
+                phi_510_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_511_ = true;
             }
-            let _e159 = phi_477_;
-            phi_481_ = _e159;
+            let _e183 = phi_510_;
+            let _e185 = phi_511_;
+            if _e185 {
+                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
+                phi_518_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
+            } else {
+                phi_518_ = _e183;
+            }
+            let _e202 = phi_518_;
+            phi_522_ = _e202;
         } else {
-            let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
-            phi_481_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, true);
+            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
+            phi_522_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
         }
-        let _e176 = phi_481_;
-        if _e176.unnamed_1 {
-            phi_1172_ = evaluate_Verdict(_e176.unnamed.visibility, _e176.unnamed.is_doubted);
+        let _e219 = phi_522_;
+        if _e219.unnamed_1 {
+            phi_1172_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
             phi_1173_ = evaluate_Verdict();
             phi_1174_ = true;
         } else {
-            let _e184 = samples.member[(0u + _e59.first_primitive)].position;
-            let _e186 = p.member.map_size;
-            let _e188 = (0.5f / f32(_e186));
-            let _e195 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e202 = lt_math_LightPoint(vec2<f32>(_e195.uv.x, 0f), _e195.depth, _e195.is_inside);
-            let _e206 = lt_math_LightPoint(_e202.uv, 0f, _e202.is_inside);
-            phi_501_ = lt_math_LightPoint();
-            phi_504_ = 0u;
-            phi_506_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e206.uv, _e206.depth, false));
+            let _e227 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e229 = p.member.map_size;
+            let _e231 = (0.5f / f32(_e229));
+            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
+            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
+            phi_542_ = lt_math_LightPoint();
+            phi_545_ = 0u;
+            phi_547_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
             loop {
-                let _e213 = phi_501_;
-                let _e215 = phi_504_;
-                let _e217 = phi_506_;
-                local_1 = _e217;
-                local_2 = _e217;
-                local_3 = _e217;
-                local_4 = _e217;
-                if (_e215 < _e65) {
-                    if _e217.point.is_inside {
-                        phi_667_ = lt_math_LightPoint();
-                        phi_668_ = u32();
-                        phi_669_ = lt_math_LevelPoint();
-                        phi_670_ = false;
+                let _e256 = phi_542_;
+                let _e258 = phi_545_;
+                let _e260 = phi_547_;
+                local_1 = _e260;
+                local_2 = _e260;
+                local_3 = _e260;
+                if (_e258 < _e65) {
+                    if _e260.point.is_inside {
+                        phi_708_ = lt_math_LightPoint();
+                        phi_709_ = u32();
+                        phi_710_ = lt_math_LevelPoint();
+                        phi_711_ = false;
                     } else {
-                        if (_e215 < _e53) {
+                        if (_e258 < _e53) {
                         } else {
                             return;
                         }
-                        let _e228 = levels.member[(0u + _e215)].row_w;
-                        let _e239 = ((((_e228.x * _e184.x) + (_e228.y * _e184.y)) + (_e228.z * _e184.z)) + (_e228.w * 1f));
-                        let _e241 = levels.member[(0u + _e215)].row_x;
-                        let _e253 = (((((_e241.x * _e184.x) + (_e241.y * _e184.y)) + (_e241.z * _e184.z)) + (_e241.w * 1f)) / _e239);
-                        let _e255 = levels.member[(0u + _e215)].row_y;
-                        let _e267 = (((((_e255.x * _e184.x) + (_e255.y * _e184.y)) + (_e255.z * _e184.z)) + (_e255.w * 1f)) / _e239);
-                        let _e269 = levels.member[(0u + _e215)].row_z;
-                        let _e280 = ((((_e269.x * _e184.x) + (_e269.y * _e184.y)) + (_e269.z * _e184.z)) + (_e269.w * 1f));
-                        if (_e239 > 0f) {
-                            if (_e253 >= 0f) {
-                                phi_592_ = (_e253 <= 1f);
+                        let _e271 = levels.member[(0u + _e258)].row_w;
+                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
+                        let _e284 = levels.member[(0u + _e258)].row_x;
+                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
+                        let _e298 = levels.member[(0u + _e258)].row_y;
+                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
+                        let _e312 = levels.member[(0u + _e258)].row_z;
+                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
+                        if (_e282 > 0f) {
+                            if (_e296 >= 0f) {
+                                phi_633_ = (_e296 <= 1f);
                             } else {
-                                phi_592_ = false;
+                                phi_633_ = false;
                             }
-                            let _e285 = phi_592_;
-                            if _e285 {
-                                if (_e267 >= 0f) {
-                                    phi_601_ = (_e267 <= 1f);
+                            let _e328 = phi_633_;
+                            if _e328 {
+                                if (_e310 >= 0f) {
+                                    phi_642_ = (_e310 <= 1f);
                                 } else {
-                                    phi_601_ = false;
+                                    phi_642_ = false;
                                 }
-                                let _e289 = phi_601_;
-                                if _e289 {
-                                    if (_e280 >= 0f) {
-                                        phi_610_ = (_e280 <= 1f);
+                                let _e332 = phi_642_;
+                                if _e332 {
+                                    if (_e323 >= 0f) {
+                                        phi_651_ = (_e323 <= 1f);
                                     } else {
-                                        phi_610_ = false;
+                                        phi_651_ = false;
                                     }
-                                    let _e293 = phi_610_;
-                                    phi_611_ = _e293;
-                                    phi_612_ = false;
+                                    let _e336 = phi_651_;
+                                    phi_652_ = _e336;
+                                    phi_653_ = false;
                                 } else {
-                                    phi_611_ = bool();
-                                    phi_612_ = true;
+                                    phi_652_ = bool();
+                                    phi_653_ = true;
                                 }
-                                let _e295 = phi_611_;
-                                let _e297 = phi_612_;
-                                phi_613_ = _e295;
-                                phi_614_ = _e297;
+                                let _e338 = phi_652_;
+                                let _e340 = phi_653_;
+                                phi_654_ = _e338;
+                                phi_655_ = _e340;
                             } else {
-                                phi_613_ = bool();
-                                phi_614_ = true;
+                                phi_654_ = bool();
+                                phi_655_ = true;
                             }
-                            let _e299 = phi_613_;
-                            let _e301 = phi_614_;
-                            phi_615_ = _e299;
-                            phi_616_ = _e301;
+                            let _e342 = phi_654_;
+                            let _e344 = phi_655_;
+                            phi_656_ = _e342;
+                            phi_657_ = _e344;
                         } else {
-                            phi_615_ = bool();
-                            phi_616_ = true;
+                            phi_656_ = bool();
+                            phi_657_ = true;
                         }
-                        let _e303 = phi_615_;
-                        let _e305 = phi_616_;
-                        if _e305 {
-                            phi_620_ = false;
+                        let _e346 = phi_656_;
+                        let _e348 = phi_657_;
+                        if _e348 {
+                            phi_661_ = false;
                         } else {
-                            phi_620_ = _e303;
+                            phi_661_ = _e346;
                         }
-                        let _e307 = phi_620_;
-                        if _e307 {
-                            if (_e253 >= _e188) {
-                                if (_e253 <= (1f - _e188)) {
-                                    if (_e267 >= _e188) {
-                                        phi_647_ = (_e267 <= (1f - _e188));
-                                        phi_648_ = false;
+                        let _e350 = phi_661_;
+                        if _e350 {
+                            if (_e296 >= _e231) {
+                                if (_e296 <= (1f - _e231)) {
+                                    if (_e310 >= _e231) {
+                                        phi_688_ = (_e310 <= (1f - _e231));
+                                        phi_689_ = false;
                                     } else {
-                                        phi_647_ = bool();
-                                        phi_648_ = true;
+                                        phi_688_ = bool();
+                                        phi_689_ = true;
                                     }
-                                    let _e315 = phi_647_;
-                                    let _e317 = phi_648_;
-                                    phi_649_ = _e315;
-                                    phi_650_ = _e317;
+                                    let _e358 = phi_688_;
+                                    let _e360 = phi_689_;
+                                    phi_690_ = _e358;
+                                    phi_691_ = _e360;
                                 } else {
-                                    phi_649_ = bool();
-                                    phi_650_ = true;
+                                    phi_690_ = bool();
+                                    phi_691_ = true;
                                 }
-                                let _e319 = phi_649_;
-                                let _e321 = phi_650_;
-                                phi_651_ = _e319;
-                                phi_652_ = _e321;
+                                let _e362 = phi_690_;
+                                let _e364 = phi_691_;
+                                phi_692_ = _e362;
+                                phi_693_ = _e364;
                             } else {
-                                phi_651_ = bool();
-                                phi_652_ = true;
+                                phi_692_ = bool();
+                                phi_693_ = true;
                             }
-                            let _e323 = phi_651_;
-                            let _e325 = phi_652_;
-                            phi_653_ = _e323;
-                            phi_654_ = _e325;
+                            let _e366 = phi_692_;
+                            let _e368 = phi_693_;
+                            phi_694_ = _e366;
+                            phi_695_ = _e368;
                         } else {
-                            phi_653_ = bool();
-                            phi_654_ = true;
+                            phi_694_ = bool();
+                            phi_695_ = true;
                         }
-                        let _e327 = phi_653_;
-                        let _e329 = phi_654_;
-                        if _e329 {
-                            phi_658_ = false;
+                        let _e370 = phi_694_;
+                        let _e372 = phi_695_;
+                        if _e372 {
+                            phi_699_ = false;
                         } else {
-                            phi_658_ = _e327;
+                            phi_699_ = _e370;
                         }
-                        let _e331 = phi_658_;
-                        let _e338 = lt_math_LightPoint(vec2<f32>(_e253, _e213.uv.y), _e213.depth, _e213.is_inside);
-                        let _e345 = lt_math_LightPoint(vec2<f32>(_e338.uv.x, _e267), _e338.depth, _e338.is_inside);
-                        let _e349 = lt_math_LightPoint(_e345.uv, _e280, _e345.is_inside);
-                        let _e353 = lt_math_LightPoint(_e349.uv, _e349.depth, _e331);
-                        phi_667_ = _e353;
-                        phi_668_ = (_e215 + 1u);
-                        phi_669_ = lt_math_LevelPoint(_e215, _e353);
-                        phi_670_ = true;
+                        let _e374 = phi_699_;
+                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
+                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
+                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
+                        phi_708_ = _e396;
+                        phi_709_ = (_e258 + 1u);
+                        phi_710_ = lt_math_LevelPoint(_e258, _e396);
+                        phi_711_ = true;
                     }
-                    let _e357 = phi_667_;
-                    let _e359 = phi_668_;
-                    let _e361 = phi_669_;
-                    let _e363 = phi_670_;
-                    phi_502_ = _e357;
-                    phi_505_ = _e359;
-                    phi_507_ = _e361;
-                    phi_671_ = _e363;
+                    let _e400 = phi_708_;
+                    let _e402 = phi_709_;
+                    let _e404 = phi_710_;
+                    let _e406 = phi_711_;
+                    phi_543_ = _e400;
+                    phi_546_ = _e402;
+                    phi_548_ = _e404;
+                    phi_712_ = _e406;
                 } else {
-                    phi_502_ = lt_math_LightPoint();
-                    phi_505_ = u32();
-                    phi_507_ = lt_math_LevelPoint();
-                    phi_671_ = false;
+                    phi_543_ = lt_math_LightPoint();
+                    phi_546_ = u32();
+                    phi_548_ = lt_math_LevelPoint();
+                    phi_712_ = false;
                 }
-                let _e365 = phi_502_;
-                let _e367 = phi_505_;
-                let _e369 = phi_507_;
-                let _e371 = phi_671_;
+                let _e408 = phi_543_;
+                let _e410 = phi_546_;
+                let _e412 = phi_548_;
+                let _e414 = phi_712_;
                 continue;
                 continuing {
-                    phi_501_ = _e365;
-                    phi_504_ = _e367;
-                    phi_506_ = _e369;
-                    break if !(_e371);
+                    phi_542_ = _e408;
+                    phi_545_ = _e410;
+                    phi_547_ = _e412;
+                    break if !(_e414);
                 }
             }
-            let _e374 = local_1;
-            if _e374.point.is_inside {
+            let _e417 = local_1;
+            if _e417.point.is_inside {
                 if (1f > 0f) {
-                    let _e380 = local_2;
-                    if (_e380.level < _e53) {
+                    let _e423 = local_2;
+                    if (_e423.level < _e53) {
                     } else {
                         return;
                     }
-                    let _e385 = levels.member[(0u + _e380.level)];
-                    let _e391 = global[0u];
-                    if (_e385.row_w.x == _e391) {
-                        let _e394 = global[1u];
-                        if (_e385.row_w.y == _e394) {
-                            let _e397 = global[2u];
-                            phi_711_ = (_e385.row_w.z == _e397);
-                            phi_712_ = false;
+                    let _e428 = levels.member[(0u + _e423.level)];
+                    let _e434 = global[0u];
+                    if (_e428.row_w.x == _e434) {
+                        let _e437 = global[1u];
+                        if (_e428.row_w.y == _e437) {
+                            let _e440 = global[2u];
+                            phi_752_ = (_e428.row_w.z == _e440);
+                            phi_753_ = false;
                         } else {
-                            phi_711_ = bool();
-                            phi_712_ = true;
+                            phi_752_ = bool();
+                            phi_753_ = true;
                         }
-                        let _e400 = phi_711_;
-                        let _e402 = phi_712_;
-                        phi_713_ = _e400;
-                        phi_714_ = _e402;
+                        let _e443 = phi_752_;
+                        let _e445 = phi_753_;
+                        phi_754_ = _e443;
+                        phi_755_ = _e445;
                     } else {
-                        phi_713_ = bool();
-                        phi_714_ = true;
+                        phi_754_ = bool();
+                        phi_755_ = true;
                     }
-                    let _e404 = phi_713_;
-                    let _e406 = phi_714_;
-                    if _e406 {
-                        phi_718_ = false;
+                    let _e447 = phi_754_;
+                    let _e449 = phi_755_;
+                    if _e449 {
+                        phi_759_ = false;
                     } else {
-                        phi_718_ = _e404;
+                        phi_759_ = _e447;
                     }
-                    let _e408 = phi_718_;
-                    if _e408 {
-                        let _e410 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e412 = p.member.map_size;
-                        let _e482 = ((abs(((((_e385.row_x.x * _e410.x) + (_e385.row_x.y * _e410.y)) + (_e385.row_x.z * _e410.z)) / (((_e385.row_x.x * _e385.row_x.x) + (_e385.row_x.y * _e385.row_x.y)) + (_e385.row_x.z * _e385.row_x.z)))) + abs(((((_e385.row_y.x * _e410.x) + (_e385.row_y.y * _e410.y)) + (_e385.row_y.z * _e410.z)) / (((_e385.row_y.x * _e385.row_y.x) + (_e385.row_y.y * _e385.row_y.y)) + (_e385.row_y.z * _e385.row_y.z))))) / (abs(((((_e385.row_z.x * _e410.x) + (_e385.row_z.y * _e410.y)) + (_e385.row_z.z * _e410.z)) / (((_e385.row_z.x * _e385.row_z.x) + (_e385.row_z.y * _e385.row_z.y)) + (_e385.row_z.z * _e385.row_z.z)))) * f32(_e412)));
-                        if (_e482 < 0.002f) {
-                            phi_800_ = _e482;
+                    let _e451 = phi_759_;
+                    if _e451 {
+                        let _e453 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e455 = p.member.map_size;
+                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
+                        if (_e525 < 0.002f) {
+                            phi_841_ = _e525;
                         } else {
-                            phi_800_ = 0.002f;
+                            phi_841_ = 0.002f;
                         }
-                        let _e485 = phi_800_;
-                        phi_917_ = _e485;
+                        let _e528 = phi_841_;
+                        phi_960_ = _e528;
                     } else {
-                        let _e487 = p.member.map_size;
-                        let _e493 = samples.member[(0u + _e59.first_primitive)].position;
-                        let _e504 = ((((_e385.row_w.x * _e493.x) + (_e385.row_w.y * _e493.y)) + (_e385.row_w.z * _e493.z)) + _e385.row_w.w);
-                        let _e517 = ((_e385.row_x.x - (_e385.row_w.x * _e374.point.uv.x)) / _e504);
-                        let _e518 = ((_e385.row_x.y - (_e385.row_w.y * _e374.point.uv.x)) / _e504);
-                        let _e519 = ((_e385.row_x.z - (_e385.row_w.z * _e374.point.uv.x)) / _e504);
-                        let _e532 = ((_e385.row_y.x - (_e385.row_w.x * _e374.point.uv.y)) / _e504);
-                        let _e533 = ((_e385.row_y.y - (_e385.row_w.y * _e374.point.uv.y)) / _e504);
-                        let _e534 = ((_e385.row_y.z - (_e385.row_w.z * _e374.point.uv.y)) / _e504);
-                        let _e540 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e545 = ((_e533 * _e540.z) - (_e540.y * _e534));
-                        let _e550 = ((_e534 * _e540.x) - (_e540.z * _e532));
-                        let _e555 = ((_e532 * _e540.y) - (_e540.x * _e533));
-                        let _e557 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e562 = ((_e518 * _e557.z) - (_e557.y * _e519));
-                        let _e567 = ((_e519 * _e557.x) - (_e557.z * _e517));
-                        let _e572 = ((_e517 * _e557.y) - (_e557.x * _e518));
-                        let _e599 = ((abs(((((_e385.row_z.x * _e545) + (_e385.row_z.y * _e550)) + (_e385.row_z.z * _e555)) / (((_e517 * _e545) + (_e518 * _e550)) + (_e519 * _e555)))) + abs(((((_e385.row_z.x * _e562) + (_e385.row_z.y * _e567)) + (_e385.row_z.z * _e572)) / (((_e532 * _e562) + (_e533 * _e567)) + (_e534 * _e572))))) / f32(_e487));
-                        if (_e599 < 0.002f) {
-                            phi_916_ = _e599;
+                        let _e530 = p.member.map_size;
+                        let _e536 = samples.member[(0u + _e59.first_primitive)].position;
+                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
+                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
+                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
+                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
+                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
+                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
+                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
+                        let _e583 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
+                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
+                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
+                        let _e600 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
+                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
+                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
+                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
+                        let _e644 = (16f / f32(_e530));
+                        if (_e642 < _e644) {
+                            phi_959_ = _e642;
                         } else {
-                            phi_916_ = 0.002f;
+                            phi_959_ = _e644;
                         }
-                        let _e602 = phi_916_;
-                        phi_917_ = _e602;
+                        let _e647 = phi_959_;
+                        phi_960_ = _e647;
                     }
-                    let _e604 = phi_917_;
-                    phi_920_ = (_e374.point.depth - (1f * _e604));
+                    let _e649 = phi_960_;
+                    phi_963_ = (_e417.point.depth - (1f * _e649));
                 } else {
-                    phi_920_ = _e374.point.depth;
+                    phi_963_ = _e417.point.depth;
                 }
-                let _e608 = phi_920_;
-                let _e614 = p.member.map_size;
-                let _e615 = f32(_e614);
-                let _e618 = ((_e374.point.uv.x * _e615) - 0.5f);
-                let _e619 = ((_e374.point.uv.y * _e615) - 0.5f);
-                if (_e618 > -8388608f) {
-                    let _e631 = f32(select(0i, select(select(i32(_e618), i32(-2147483648), (_e618 < bitcast<f32>(3472883712u))), 2147483647i, (_e618 > bitcast<f32>(1325400063u))), (_e618 == _e618)));
-                    if (_e631 > _e618) {
-                        phi_949_ = 1f;
+                let _e653 = phi_963_;
+                let _e659 = p.member.map_size;
+                let _e660 = f32(_e659);
+                let _e663 = ((_e417.point.uv.x * _e660) - 0.5f);
+                let _e664 = ((_e417.point.uv.y * _e660) - 0.5f);
+                if (_e663 > -8388608f) {
+                    let _e676 = f32(select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < bitcast<f32>(3472883712u))), 2147483647i, (_e663 > bitcast<f32>(1325400063u))), (_e663 == _e663)));
+                    if (_e676 > _e663) {
+                        phi_992_ = 1f;
                     } else {
-                        phi_949_ = 0f;
+                        phi_992_ = 0f;
                     }
-                    let _e634 = phi_949_;
-                    if (_e618 < 8388608f) {
-                        phi_954_ = (_e631 - _e634);
-                        phi_955_ = false;
+                    let _e679 = phi_992_;
+                    if (_e663 < 8388608f) {
+                        phi_997_ = (_e676 - _e679);
+                        phi_998_ = false;
                     } else {
-                        phi_954_ = f32();
-                        phi_955_ = true;
+                        phi_997_ = f32();
+                        phi_998_ = true;
                     }
-                    let _e637 = phi_954_;
-                    let _e639 = phi_955_;
-                    phi_956_ = _e637;
-                    phi_957_ = _e639;
+                    let _e682 = phi_997_;
+                    let _e684 = phi_998_;
+                    phi_999_ = _e682;
+                    phi_1000_ = _e684;
                 } else {
-                    phi_956_ = f32();
-                    phi_957_ = true;
+                    phi_999_ = f32();
+                    phi_1000_ = true;
                 }
-                let _e641 = phi_956_;
-                let _e643 = phi_957_;
-                if _e643 {
-                    phi_961_ = _e618;
+                let _e686 = phi_999_;
+                let _e688 = phi_1000_;
+                if _e688 {
+                    phi_1004_ = _e663;
                 } else {
-                    phi_961_ = _e641;
+                    phi_1004_ = _e686;
                 }
-                let _e645 = phi_961_;
-                if (_e619 > -8388608f) {
-                    let _e657 = f32(select(0i, select(select(i32(_e619), i32(-2147483648), (_e619 < bitcast<f32>(3472883712u))), 2147483647i, (_e619 > bitcast<f32>(1325400063u))), (_e619 == _e619)));
-                    if (_e657 > _e619) {
-                        phi_981_ = 1f;
+                let _e690 = phi_1004_;
+                if (_e664 > -8388608f) {
+                    let _e702 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e702 > _e664) {
+                        phi_1024_ = 1f;
                     } else {
-                        phi_981_ = 0f;
+                        phi_1024_ = 0f;
                     }
-                    let _e660 = phi_981_;
-                    if (_e619 < 8388608f) {
-                        phi_986_ = (_e657 - _e660);
-                        phi_987_ = false;
+                    let _e705 = phi_1024_;
+                    if (_e664 < 8388608f) {
+                        phi_1029_ = (_e702 - _e705);
+                        phi_1030_ = false;
                     } else {
-                        phi_986_ = f32();
-                        phi_987_ = true;
+                        phi_1029_ = f32();
+                        phi_1030_ = true;
                     }
-                    let _e663 = phi_986_;
-                    let _e665 = phi_987_;
-                    phi_988_ = _e663;
-                    phi_989_ = _e665;
+                    let _e708 = phi_1029_;
+                    let _e710 = phi_1030_;
+                    phi_1031_ = _e708;
+                    phi_1032_ = _e710;
                 } else {
-                    phi_988_ = f32();
-                    phi_989_ = true;
+                    phi_1031_ = f32();
+                    phi_1032_ = true;
                 }
-                let _e667 = phi_988_;
-                let _e669 = phi_989_;
-                if _e669 {
-                    phi_993_ = _e619;
+                let _e712 = phi_1031_;
+                let _e714 = phi_1032_;
+                if _e714 {
+                    phi_1036_ = _e664;
                 } else {
-                    phi_993_ = _e667;
+                    phi_1036_ = _e712;
                 }
-                let _e671 = phi_993_;
-                let _e672 = (_e618 - _e645);
-                let _e673 = (_e619 - _e671);
-                let _e682 = select(0i, select(select(i32(_e645), i32(-2147483648), (_e645 < bitcast<f32>(3472883712u))), 2147483647i, (_e645 > bitcast<f32>(1325400063u))), (_e645 == _e645));
-                let _e691 = select(0i, select(select(i32(_e671), i32(-2147483648), (_e671 < bitcast<f32>(3472883712u))), 2147483647i, (_e671 > bitcast<f32>(1325400063u))), (_e671 == _e671));
-                let _e702 = p.member.test;
-                let _e703 = _lt_math_pcf_Pcf_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e702);
-                let _e705 = p.member.map_size;
-                let _e707 = local_3;
-                local = _e703;
-                let _e710 = ((_e707.level * _e705) * _e705);
-                let _e712 = (bitcast<i32>(_e705) - 1i);
-                if (_e682 > 0i) {
-                    phi_1042_ = _e682;
-                } else {
-                    phi_1042_ = 0i;
-                }
-                let _e715 = phi_1042_;
-                if (_e691 > 0i) {
-                    phi_1047_ = _e691;
-                } else {
-                    phi_1047_ = 0i;
-                }
-                let _e718 = phi_1047_;
-                if (_e715 < _e712) {
-                    phi_1052_ = _e715;
-                } else {
-                    phi_1052_ = _e712;
-                }
-                let _e721 = phi_1052_;
-                if (_e718 < _e712) {
-                    phi_1057_ = _e718;
-                } else {
-                    phi_1057_ = _e712;
-                }
-                let _e724 = phi_1057_;
-                let _e725 = bitcast<u32>(_e721);
-                let _e727 = (_e682 + 1i);
-                let _e728 = (_e691 + 1i);
+                let _e716 = phi_1036_;
+                let _e717 = (_e663 - _e690);
+                let _e718 = (_e664 - _e716);
+                let _e727 = select(0i, select(select(i32(_e690), i32(-2147483648), (_e690 < bitcast<f32>(3472883712u))), 2147483647i, (_e690 > bitcast<f32>(1325400063u))), (_e690 == _e690));
+                let _e736 = select(0i, select(select(i32(_e716), i32(-2147483648), (_e716 < bitcast<f32>(3472883712u))), 2147483647i, (_e716 > bitcast<f32>(1325400063u))), (_e716 == _e716));
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_pcf_Pcf_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_3;
+                local = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
                 if (_e727 > 0i) {
-                    phi_1066_ = _e727;
+                    phi_1085_ = _e727;
                 } else {
-                    phi_1066_ = 0i;
+                    phi_1085_ = 0i;
                 }
-                let _e731 = phi_1066_;
-                if (_e728 > 0i) {
-                    phi_1071_ = _e728;
+                let _e760 = phi_1085_;
+                if (_e736 > 0i) {
+                    phi_1090_ = _e736;
                 } else {
-                    phi_1071_ = 0i;
+                    phi_1090_ = 0i;
                 }
-                let _e734 = phi_1071_;
-                if (_e731 < _e712) {
-                    phi_1076_ = _e731;
+                let _e763 = phi_1090_;
+                if (_e760 < _e757) {
+                    phi_1095_ = _e760;
                 } else {
-                    phi_1076_ = _e712;
+                    phi_1095_ = _e757;
                 }
-                let _e737 = phi_1076_;
-                if (_e734 < _e712) {
-                    phi_1081_ = _e734;
+                let _e766 = phi_1095_;
+                if (_e763 < _e757) {
+                    phi_1100_ = _e763;
                 } else {
-                    phi_1081_ = _e712;
+                    phi_1100_ = _e757;
                 }
-                let _e740 = phi_1081_;
-                let _e741 = bitcast<u32>(_e737);
-                let _e743 = (bitcast<u32>(_e724) * _e705);
-                let _e744 = (bitcast<u32>(_e740) * _e705);
-                let _e749 = ((_e743 + _e725) + _e710);
-                let _e750 = ((_e743 + _e741) + _e710);
-                let _e751 = ((_e744 + _e725) + _e710);
-                let _e752 = ((_e744 + _e741) + _e710);
-                if (_e749 < _e47) {
+                let _e769 = phi_1100_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e727 + 1i);
+                let _e773 = (_e736 + 1i);
+                if (_e772 > 0i) {
+                    phi_1109_ = _e772;
+                } else {
+                    phi_1109_ = 0i;
+                }
+                let _e776 = phi_1109_;
+                if (_e773 > 0i) {
+                    phi_1114_ = _e773;
+                } else {
+                    phi_1114_ = 0i;
+                }
+                let _e779 = phi_1114_;
+                if (_e776 < _e757) {
+                    phi_1119_ = _e776;
+                } else {
+                    phi_1119_ = _e757;
+                }
+                let _e782 = phi_1119_;
+                if (_e779 < _e757) {
+                    phi_1124_ = _e779;
+                } else {
+                    phi_1124_ = _e757;
+                }
+                let _e785 = phi_1124_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e47) {
                 } else {
                     return;
                 }
-                let _e756 = map.member[(0u + _e749)];
-                if (_e750 < _e47) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e47) {
                 } else {
                     return;
                 }
-                let _e760 = map.member[(0u + _e750)];
-                if (_e751 < _e47) {
+                let _e805 = map.member[(0u + _e795)];
+                if (_e796 < _e47) {
                 } else {
                     return;
                 }
-                let _e764 = map.member[(0u + _e751)];
-                if (_e752 < _e47) {
+                let _e809 = map.member[(0u + _e796)];
+                if (_e797 < _e47) {
                 } else {
                     return;
                 }
-                let _e768 = map.member[(0u + _e752)];
-                let _e770 = _lt_math_pcf_Pcf_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e756, _e760, _e764, _e768), vec4<f32>(((1f - _e672) * (1f - _e673)), (_e672 * (1f - _e673)), ((1f - _e672) * _e673), (_e672 * _e673)), _e608);
-                let _e772 = p.member.fade_uv;
-                if (_e772 > 0f) {
-                    let _e775 = local_4;
-                    if ((_e775.level + 1u) == _e65) {
-                        let _e784 = p.member.fade_uv;
-                        let _e786 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e374.point.uv.x, (1f - _e374.point.uv.x));
-                        let _e788 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e374.point.uv.y, (1f - _e374.point.uv.y));
-                        let _e789 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e786, _e788);
-                        if (_e789 < _e784) {
-                            phi_1153_ = (1f - ((1f - _e770) * (_e789 / _e784)));
-                        } else {
-                            phi_1153_ = _e770;
-                        }
-                        let _e796 = phi_1153_;
-                        phi_1155_ = evaluate_Verdict(_e796, false);
-                        phi_1156_ = false;
-                    } else {
-                        phi_1155_ = evaluate_Verdict();
-                        phi_1156_ = true;
-                    }
-                    let _e799 = phi_1155_;
-                    let _e801 = phi_1156_;
-                    phi_1157_ = _e799;
-                    phi_1158_ = _e801;
-                } else {
-                    phi_1157_ = evaluate_Verdict();
-                    phi_1158_ = true;
-                }
-                let _e803 = phi_1157_;
-                let _e805 = phi_1158_;
-                if _e805 {
-                    phi_1163_ = evaluate_Verdict(_e770, false);
-                    phi_1164_ = false;
-                } else {
-                    phi_1163_ = evaluate_Verdict();
-                    phi_1164_ = true;
-                }
-                let _e808 = phi_1163_;
-                let _e810 = phi_1164_;
-                phi_1166_ = _e808;
-                phi_1167_ = _e803;
-                phi_1168_ = _e810;
+                let _e813 = map.member[(0u + _e797)];
+                let _e815 = _lt_math_pcf_Pcf_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e801, _e805, _e809, _e813), vec4<f32>(((1f - _e717) * (1f - _e718)), (_e717 * (1f - _e718)), ((1f - _e717) * _e718), (_e717 * _e718)), _e653);
+                phi_1169_ = evaluate_Verdict(_e815, false);
+                phi_1170_ = evaluate_Verdict();
+                phi_1171_ = false;
             } else {
-                phi_1166_ = evaluate_Verdict();
-                phi_1167_ = evaluate_Verdict(1f, false);
-                phi_1168_ = true;
+                phi_1169_ = evaluate_Verdict();
+                phi_1170_ = evaluate_Verdict(1f, false);
+                phi_1171_ = true;
             }
-            let _e813 = phi_1166_;
-            let _e815 = phi_1167_;
-            let _e817 = phi_1168_;
-            if _e817 {
-            }
-            phi_1172_ = _e815;
-            phi_1173_ = _e813;
-            phi_1174_ = _e817;
+            let _e819 = phi_1169_;
+            let _e821 = phi_1170_;
+            let _e823 = phi_1171_;
+            phi_1172_ = _e821;
+            phi_1173_ = _e819;
+            phi_1174_ = _e823;
         }
-        let _e819 = phi_1172_;
-        let _e821 = phi_1173_;
-        let _e823 = phi_1174_;
-        if _e823 {
-            phi_1178_ = _e819;
+        let _e825 = phi_1172_;
+        let _e827 = phi_1173_;
+        let _e829 = phi_1174_;
+        if _e829 {
+            phi_1178_ = _e825;
         } else {
-            phi_1178_ = _e821;
+            phi_1178_ = _e827;
         }
-        let _e825 = phi_1178_;
+        let _e831 = phi_1178_;
         if (_e59.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e59.first_primitive)] = _e825.visibility;
+        visibility.member[(0u + _e59.first_primitive)] = _e831.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,18 +48,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_27 {
+struct type_30 {
     member: abi_ShadowParams,
 }
 
@@ -63,162 +72,162 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_27;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_126_: lt_bvh_traverse_Tree;
-    var phi_127_: bool;
-    var phi_128_: lt_bvh_traverse_Tree;
-    var phi_129_: bool;
-    var phi_134_: lt_bvh_traverse_Tree;
+    var phi_131_: lt_bvh_traverse_Tree;
+    var phi_132_: bool;
+    var phi_133_: lt_bvh_traverse_Tree;
+    var phi_134_: bool;
+    var phi_139_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_126_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_127_ = false;
+            phi_131_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_132_ = false;
         } else {
-            phi_126_ = lt_bvh_traverse_Tree();
-            phi_127_ = true;
+            phi_131_ = lt_bvh_traverse_Tree();
+            phi_132_ = true;
         }
-        let _e46 = phi_126_;
-        let _e48 = phi_127_;
-        phi_128_ = _e46;
-        phi_129_ = _e48;
+        let _e46 = phi_131_;
+        let _e48 = phi_132_;
+        phi_133_ = _e46;
+        phi_134_ = _e48;
     } else {
-        phi_128_ = lt_bvh_traverse_Tree();
-        phi_129_ = true;
+        phi_133_ = lt_bvh_traverse_Tree();
+        phi_134_ = true;
     }
-    let _e50 = phi_128_;
-    let _e52 = phi_129_;
+    let _e50 = phi_133_;
+    let _e52 = phi_134_;
     if _e52 {
-        phi_134_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_139_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_134_ = _e50;
+        phi_139_ = _e50;
     }
-    let _e57 = phi_134_;
+    let _e57 = phi_139_;
     return lt_bvh_traverse_Tree(_e57.root, _e57.first_primitive);
 }
 
 fn _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_3: ptr<function, f32>, param_4: vec4<f32>, param_5: f32) -> f32 {
-    var phi_758_: f32;
-    var phi_759_: f32;
-    var phi_760_: f32;
-    var phi_777_: f32;
-    var phi_778_: f32;
-    var phi_779_: f32;
+    var phi_810_: f32;
+    var phi_811_: f32;
+    var phi_812_: f32;
+    var phi_829_: f32;
+    var phi_830_: f32;
+    var phi_831_: f32;
 
     let _e37 = (*param_3);
     let _e38 = (param_4.x + _e37);
     if ((bitcast<u32>(param_5) & 2147483647u) > 2139095040u) {
-        phi_760_ = param_5;
+        phi_812_ = param_5;
     } else {
         if (param_5 < 0f) {
-            phi_759_ = 0f;
+            phi_811_ = 0f;
         } else {
             if (param_5 > 1f) {
-                phi_758_ = 1f;
+                phi_810_ = 1f;
             } else {
-                phi_758_ = param_5;
+                phi_810_ = param_5;
             }
-            let _e45 = phi_758_;
-            phi_759_ = _e45;
+            let _e45 = phi_810_;
+            phi_811_ = _e45;
         }
-        let _e47 = phi_759_;
-        phi_760_ = _e47;
+        let _e47 = phi_811_;
+        phi_812_ = _e47;
     }
-    let _e49 = phi_760_;
+    let _e49 = phi_812_;
     if ((bitcast<u32>(_e38) & 2147483647u) > 2139095040u) {
-        phi_779_ = _e38;
+        phi_831_ = _e38;
     } else {
         if ((bitcast<u32>(_e49) & 2147483647u) > 2139095040u) {
-            phi_778_ = _e49;
+            phi_830_ = _e49;
         } else {
             if (_e38 < _e49) {
-                phi_777_ = 0f;
+                phi_829_ = 0f;
             } else {
-                phi_777_ = 1f;
+                phi_829_ = 1f;
             }
-            let _e58 = phi_777_;
-            phi_778_ = _e58;
+            let _e58 = phi_829_;
+            phi_830_ = _e58;
         }
-        let _e60 = phi_778_;
-        phi_779_ = _e60;
+        let _e60 = phi_830_;
+        phi_831_ = _e60;
     }
-    let _e62 = phi_779_;
+    let _e62 = phi_831_;
     return _e62;
 }
 
 fn _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6: f32) -> vec4<f32> {
-    var phi_733_: f32;
-    var phi_734_: f32;
-    var phi_735_: f32;
+    var phi_785_: f32;
+    var phi_786_: f32;
+    var phi_787_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_735_ = param_6;
+        phi_787_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_734_ = 0f;
+            phi_786_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_733_ = 1f;
+                phi_785_ = 1f;
             } else {
-                phi_733_ = param_6;
+                phi_785_ = param_6;
             }
-            let _e40 = phi_733_;
-            phi_734_ = _e40;
+            let _e40 = phi_785_;
+            phi_786_ = _e40;
         }
-        let _e42 = phi_734_;
-        phi_735_ = _e42;
+        let _e42 = phi_786_;
+        phi_787_ = _e42;
     }
-    let _e44 = phi_735_;
+    let _e44 = phi_787_;
     return vec4<f32>(_e44, 0f, 0f, 0f);
 }
 
 fn _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_7: ptr<function, f32>, param_8: vec4<f32>, param_9: vec4<f32>, param_10: f32) -> f32 {
-    var phi_696_: f32;
-    var phi_697_: f32;
-    var phi_705_: f32;
-    var phi_706_: f32;
-    var phi_713_: f32;
-    var phi_716_: f32;
+    var phi_748_: f32;
+    var phi_749_: f32;
+    var phi_757_: f32;
+    var phi_758_: f32;
+    var phi_765_: f32;
+    var phi_768_: f32;
 
     let _e43 = (((param_9.x + param_9.y) + param_9.z) + param_9.w);
     if ((bitcast<u32>(_e43) & 2147483647u) > 2139095040u) {
-        phi_716_ = _e43;
+        phi_768_ = _e43;
     } else {
         if (param_9.y > param_9.x) {
-            phi_696_ = param_8.y;
-            phi_697_ = param_9.y;
+            phi_748_ = param_8.y;
+            phi_749_ = param_9.y;
         } else {
-            phi_696_ = param_8.x;
-            phi_697_ = param_9.x;
+            phi_748_ = param_8.x;
+            phi_749_ = param_9.x;
         }
-        let _e54 = phi_696_;
-        let _e56 = phi_697_;
+        let _e54 = phi_748_;
+        let _e56 = phi_749_;
         if (param_9.z > _e56) {
-            phi_705_ = param_8.z;
-            phi_706_ = param_9.z;
+            phi_757_ = param_8.z;
+            phi_758_ = param_9.z;
         } else {
-            phi_705_ = _e54;
-            phi_706_ = _e56;
+            phi_757_ = _e54;
+            phi_758_ = _e56;
         }
-        let _e62 = phi_705_;
-        let _e64 = phi_706_;
+        let _e62 = phi_757_;
+        let _e64 = phi_758_;
         if (param_9.w > _e64) {
-            phi_713_ = param_8.w;
+            phi_765_ = param_8.w;
         } else {
-            phi_713_ = _e62;
+            phi_765_ = _e62;
         }
-        let _e69 = phi_713_;
+        let _e69 = phi_765_;
         let _e70 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e69);
         let _e71 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_7, _e70, param_10);
-        phi_716_ = _e71;
+        phi_768_ = _e71;
     }
-    let _e73 = phi_716_;
+    let _e73 = phi_768_;
     return _e73;
 }
 
@@ -228,52 +237,58 @@ fn _lt_math_sm_Sm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(
 
 fn function_() {
     var local: f32;
-    var phi_194_: bool;
-    var phi_195_: bool;
-    var phi_196_: bool;
-    var phi_197_: bool;
+    var phi_198_: bool;
+    var phi_199_: bool;
+    var phi_200_: bool;
     var phi_201_: bool;
-    var phi_245_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_249_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_323_: bool;
-    var phi_332_: bool;
-    var phi_341_: bool;
-    var phi_342_: bool;
-    var phi_343_: bool;
-    var phi_344_: bool;
-    var phi_345_: bool;
-    var phi_346_: bool;
-    var phi_347_: bool;
-    var phi_351_: bool;
-    var phi_441_: f32;
-    var phi_444_: f32;
-    var phi_473_: f32;
-    var phi_478_: f32;
-    var phi_479_: bool;
-    var phi_480_: f32;
-    var phi_481_: bool;
-    var phi_485_: f32;
-    var phi_505_: f32;
-    var phi_510_: f32;
-    var phi_511_: bool;
-    var phi_512_: f32;
-    var phi_513_: bool;
-    var phi_517_: f32;
-    var phi_565_: i32;
-    var phi_570_: i32;
-    var phi_575_: i32;
-    var phi_580_: i32;
-    var phi_589_: i32;
-    var phi_594_: i32;
-    var phi_599_: i32;
-    var phi_604_: i32;
-    var phi_649_: evaluate_Verdict;
-    var phi_650_: evaluate_Verdict;
-    var phi_651_: bool;
-    var phi_652_: evaluate_Verdict;
-    var phi_653_: evaluate_Verdict;
-    var phi_654_: bool;
-    var phi_658_: evaluate_Verdict;
+    var phi_205_: bool;
+    var phi_275_: bool;
+    var phi_276_: bool;
+    var phi_287_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_288_: bool;
+    var phi_289_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_290_: bool;
+    var phi_297_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_301_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_375_: bool;
+    var phi_384_: bool;
+    var phi_393_: bool;
+    var phi_394_: bool;
+    var phi_395_: bool;
+    var phi_396_: bool;
+    var phi_397_: bool;
+    var phi_398_: bool;
+    var phi_399_: bool;
+    var phi_403_: bool;
+    var phi_493_: f32;
+    var phi_496_: f32;
+    var phi_525_: f32;
+    var phi_530_: f32;
+    var phi_531_: bool;
+    var phi_532_: f32;
+    var phi_533_: bool;
+    var phi_537_: f32;
+    var phi_557_: f32;
+    var phi_562_: f32;
+    var phi_563_: bool;
+    var phi_564_: f32;
+    var phi_565_: bool;
+    var phi_569_: f32;
+    var phi_617_: i32;
+    var phi_622_: i32;
+    var phi_627_: i32;
+    var phi_632_: i32;
+    var phi_641_: i32;
+    var phi_646_: i32;
+    var phi_651_: i32;
+    var phi_656_: i32;
+    var phi_701_: evaluate_Verdict;
+    var phi_702_: evaluate_Verdict;
+    var phi_703_: bool;
+    var phi_704_: evaluate_Verdict;
+    var phi_705_: evaluate_Verdict;
+    var phi_706_: bool;
+    var phi_710_: evaluate_Verdict;
 
     let _e34 = id_1;
     let _e41 = arrayLength((&map.member));
@@ -287,319 +302,358 @@ fn function_() {
             return;
         }
         let _e60 = lt_math_OneLevel(_e56);
-        let _e62 = p.member.light;
-        let _e65 = samples.member[(0u + _e50.first_primitive)].normal[0u];
-        let _e67 = global[0u];
-        if (_e65 == _e67) {
-            let _e70 = samples.member[(0u + _e50.first_primitive)].normal[1u];
-            let _e72 = global[1u];
-            if (_e70 == _e72) {
-                let _e75 = samples.member[(0u + _e50.first_primitive)].normal[2u];
-                let _e77 = global[2u];
-                phi_194_ = (_e75 == _e77);
-                phi_195_ = false;
+        let _e64 = samples.member[(0u + _e50.first_primitive)].normal[0u];
+        let _e66 = global[0u];
+        if (_e64 == _e66) {
+            let _e69 = samples.member[(0u + _e50.first_primitive)].normal[1u];
+            let _e71 = global[1u];
+            if (_e69 == _e71) {
+                let _e74 = samples.member[(0u + _e50.first_primitive)].normal[2u];
+                let _e76 = global[2u];
+                phi_198_ = (_e74 == _e76);
+                phi_199_ = false;
             } else {
-                phi_194_ = bool();
-                phi_195_ = true;
+                phi_198_ = bool();
+                phi_199_ = true;
             }
-            let _e80 = phi_194_;
-            let _e82 = phi_195_;
-            phi_196_ = _e80;
-            phi_197_ = _e82;
+            let _e79 = phi_198_;
+            let _e81 = phi_199_;
+            phi_200_ = _e79;
+            phi_201_ = _e81;
         } else {
-            phi_196_ = bool();
-            phi_197_ = true;
+            phi_200_ = bool();
+            phi_201_ = true;
         }
-        let _e84 = phi_196_;
-        let _e86 = phi_197_;
-        if _e86 {
-            phi_201_ = false;
+        let _e83 = phi_200_;
+        let _e85 = phi_201_;
+        if _e85 {
+            phi_205_ = false;
         } else {
-            phi_201_ = _e84;
+            phi_205_ = _e83;
         }
-        let _e88 = phi_201_;
-        if !(_e88) {
-            let _e91 = samples.member[(0u + _e50.first_primitive)].normal;
-            let _e93 = samples.member[(0u + _e50.first_primitive)].position;
-            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
-                let _e117 = samples.member[(0u + _e50.first_primitive)].flags;
-                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-                phi_245_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
-            } else {
-                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
-                phi_245_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
-            }
-            let _e151 = phi_245_;
-            phi_249_ = _e151;
-        } else {
-            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
-            phi_249_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
-        }
-        let _e168 = phi_249_;
-        if _e168.unnamed_1 {
-            phi_652_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
-            phi_653_ = evaluate_Verdict();
-            phi_654_ = true;
-        } else {
-            let _e176 = samples.member[(0u + _e50.first_primitive)].position;
-            let _e194 = ((((_e60.projection.row_w.x * _e176.x) + (_e60.projection.row_w.y * _e176.y)) + (_e60.projection.row_w.z * _e176.z)) + (_e60.projection.row_w.w * 1f));
-            let _e208 = (((((_e60.projection.row_x.x * _e176.x) + (_e60.projection.row_x.y * _e176.y)) + (_e60.projection.row_x.z * _e176.z)) + (_e60.projection.row_x.w * 1f)) / _e194);
-            let _e222 = (((((_e60.projection.row_y.x * _e176.x) + (_e60.projection.row_y.y * _e176.y)) + (_e60.projection.row_y.z * _e176.z)) + (_e60.projection.row_y.w * 1f)) / _e194);
-            let _e235 = ((((_e60.projection.row_z.x * _e176.x) + (_e60.projection.row_z.y * _e176.y)) + (_e60.projection.row_z.z * _e176.z)) + (_e60.projection.row_z.w * 1f));
-            if (_e194 > 0f) {
-                if (_e208 >= 0f) {
-                    phi_323_ = (_e208 <= 1f);
+        let _e87 = phi_205_;
+        if !(_e87) {
+            let _e90 = samples.member[(0u + _e50.first_primitive)].position;
+            let _e92 = p.member.light.place;
+            let _e98 = p.member.light.place[3u];
+            let _e105 = (_e92.x - (_e90.x * _e98));
+            let _e106 = (_e92.y - (_e90.y * _e98));
+            let _e107 = (_e92.z - (_e90.z * _e98));
+            let _e109 = samples.member[(0u + _e50.first_primitive)].normal;
+            if ((((_e109.x * _e105) + (_e109.y * _e106)) + (_e109.z * _e107)) > 0f) {
+                let _e123 = (((_e105 * _e105) + (_e106 * _e106)) + (_e107 * _e107));
+                let _e125 = p.member.light.axis;
+                let _e137 = p.member.light.place[3u];
+                if (_e137 == 0f) {
+                    phi_276_ = true;
                 } else {
-                    phi_323_ = false;
-                }
-                let _e240 = phi_323_;
-                if _e240 {
-                    if (_e222 >= 0f) {
-                        phi_332_ = (_e222 <= 1f);
+                    let _e140 = p.member.light.range_squared;
+                    if (_e123 <= _e140) {
+                        let _e143 = p.member.light.cos_outer;
+                        phi_275_ = (-((((_e105 * _e125.x) + (_e106 * _e125.y)) + (_e107 * _e125.z))) >= (_e143 * sqrt(_e123)));
                     } else {
-                        phi_332_ = false;
+                        phi_275_ = false;
                     }
-                    let _e244 = phi_332_;
-                    if _e244 {
-                        if (_e235 >= 0f) {
-                            phi_341_ = (_e235 <= 1f);
+                    let _e148 = phi_275_;
+                    phi_276_ = _e148;
+                }
+                let _e150 = phi_276_;
+                if _e150 {
+                    let _e152 = samples.member[(0u + _e50.first_primitive)].flags;
+                    let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
+                    phi_287_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, ((_e152 & 1u) == 0u));
+                    phi_288_ = false;
+                } else {
+                    phi_287_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_288_ = true;
+                }
+                let _e171 = phi_287_;
+                let _e173 = phi_288_;
+                phi_289_ = _e171;
+                phi_290_ = _e173;
+            } else {
+                phi_289_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_290_ = true;
+            }
+            let _e175 = phi_289_;
+            let _e177 = phi_290_;
+            if _e177 {
+                let _e183 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e189 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e183.unnamed.visibility, false), _e183.unnamed_1);
+                phi_297_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e189.unnamed, true);
+            } else {
+                phi_297_ = _e175;
+            }
+            let _e194 = phi_297_;
+            phi_301_ = _e194;
+        } else {
+            let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e200.unnamed.visibility, false), _e200.unnamed_1);
+            phi_301_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e206.unnamed, true);
+        }
+        let _e211 = phi_301_;
+        if _e211.unnamed_1 {
+            phi_704_ = evaluate_Verdict(_e211.unnamed.visibility, _e211.unnamed.is_doubted);
+            phi_705_ = evaluate_Verdict();
+            phi_706_ = true;
+        } else {
+            let _e219 = samples.member[(0u + _e50.first_primitive)].position;
+            let _e237 = ((((_e60.projection.row_w.x * _e219.x) + (_e60.projection.row_w.y * _e219.y)) + (_e60.projection.row_w.z * _e219.z)) + (_e60.projection.row_w.w * 1f));
+            let _e251 = (((((_e60.projection.row_x.x * _e219.x) + (_e60.projection.row_x.y * _e219.y)) + (_e60.projection.row_x.z * _e219.z)) + (_e60.projection.row_x.w * 1f)) / _e237);
+            let _e265 = (((((_e60.projection.row_y.x * _e219.x) + (_e60.projection.row_y.y * _e219.y)) + (_e60.projection.row_y.z * _e219.z)) + (_e60.projection.row_y.w * 1f)) / _e237);
+            let _e278 = ((((_e60.projection.row_z.x * _e219.x) + (_e60.projection.row_z.y * _e219.y)) + (_e60.projection.row_z.z * _e219.z)) + (_e60.projection.row_z.w * 1f));
+            if (_e237 > 0f) {
+                if (_e251 >= 0f) {
+                    phi_375_ = (_e251 <= 1f);
+                } else {
+                    phi_375_ = false;
+                }
+                let _e283 = phi_375_;
+                if _e283 {
+                    if (_e265 >= 0f) {
+                        phi_384_ = (_e265 <= 1f);
+                    } else {
+                        phi_384_ = false;
+                    }
+                    let _e287 = phi_384_;
+                    if _e287 {
+                        if (_e278 >= 0f) {
+                            phi_393_ = (_e278 <= 1f);
                         } else {
-                            phi_341_ = false;
+                            phi_393_ = false;
                         }
-                        let _e248 = phi_341_;
-                        phi_342_ = _e248;
-                        phi_343_ = false;
+                        let _e291 = phi_393_;
+                        phi_394_ = _e291;
+                        phi_395_ = false;
                     } else {
-                        phi_342_ = bool();
-                        phi_343_ = true;
+                        phi_394_ = bool();
+                        phi_395_ = true;
                     }
-                    let _e250 = phi_342_;
-                    let _e252 = phi_343_;
-                    phi_344_ = _e250;
-                    phi_345_ = _e252;
+                    let _e293 = phi_394_;
+                    let _e295 = phi_395_;
+                    phi_396_ = _e293;
+                    phi_397_ = _e295;
                 } else {
-                    phi_344_ = bool();
-                    phi_345_ = true;
+                    phi_396_ = bool();
+                    phi_397_ = true;
                 }
-                let _e254 = phi_344_;
-                let _e256 = phi_345_;
-                phi_346_ = _e254;
-                phi_347_ = _e256;
+                let _e297 = phi_396_;
+                let _e299 = phi_397_;
+                phi_398_ = _e297;
+                phi_399_ = _e299;
             } else {
-                phi_346_ = bool();
-                phi_347_ = true;
+                phi_398_ = bool();
+                phi_399_ = true;
             }
-            let _e258 = phi_346_;
-            let _e260 = phi_347_;
-            if _e260 {
-                phi_351_ = false;
+            let _e301 = phi_398_;
+            let _e303 = phi_399_;
+            if _e303 {
+                phi_403_ = false;
             } else {
-                phi_351_ = _e258;
+                phi_403_ = _e301;
             }
-            let _e262 = phi_351_;
-            if _e262 {
+            let _e305 = phi_403_;
+            if _e305 {
                 if (0.5f > 0f) {
-                    let _e265 = samples.member[(0u + _e50.first_primitive)].normal;
-                    let _e267 = p.member.map_size;
-                    let _e337 = ((abs(((((_e56.row_x.x * _e265.x) + (_e56.row_x.y * _e265.y)) + (_e56.row_x.z * _e265.z)) / (((_e56.row_x.x * _e56.row_x.x) + (_e56.row_x.y * _e56.row_x.y)) + (_e56.row_x.z * _e56.row_x.z)))) + abs(((((_e56.row_y.x * _e265.x) + (_e56.row_y.y * _e265.y)) + (_e56.row_y.z * _e265.z)) / (((_e56.row_y.x * _e56.row_y.x) + (_e56.row_y.y * _e56.row_y.y)) + (_e56.row_y.z * _e56.row_y.z))))) / (abs(((((_e56.row_z.x * _e265.x) + (_e56.row_z.y * _e265.y)) + (_e56.row_z.z * _e265.z)) / (((_e56.row_z.x * _e56.row_z.x) + (_e56.row_z.y * _e56.row_z.y)) + (_e56.row_z.z * _e56.row_z.z)))) * f32(_e267)));
-                    if (_e337 < 0.002f) {
-                        phi_441_ = _e337;
+                    let _e308 = samples.member[(0u + _e50.first_primitive)].normal;
+                    let _e310 = p.member.map_size;
+                    let _e380 = ((abs(((((_e56.row_x.x * _e308.x) + (_e56.row_x.y * _e308.y)) + (_e56.row_x.z * _e308.z)) / (((_e56.row_x.x * _e56.row_x.x) + (_e56.row_x.y * _e56.row_x.y)) + (_e56.row_x.z * _e56.row_x.z)))) + abs(((((_e56.row_y.x * _e308.x) + (_e56.row_y.y * _e308.y)) + (_e56.row_y.z * _e308.z)) / (((_e56.row_y.x * _e56.row_y.x) + (_e56.row_y.y * _e56.row_y.y)) + (_e56.row_y.z * _e56.row_y.z))))) / (abs(((((_e56.row_z.x * _e308.x) + (_e56.row_z.y * _e308.y)) + (_e56.row_z.z * _e308.z)) / (((_e56.row_z.x * _e56.row_z.x) + (_e56.row_z.y * _e56.row_z.y)) + (_e56.row_z.z * _e56.row_z.z)))) * f32(_e310)));
+                    if (_e380 < 0.002f) {
+                        phi_493_ = _e380;
                     } else {
-                        phi_441_ = 0.002f;
+                        phi_493_ = 0.002f;
                     }
-                    let _e340 = phi_441_;
-                    phi_444_ = (_e235 - (0.5f * _e340));
+                    let _e383 = phi_493_;
+                    phi_496_ = (_e278 - (0.5f * _e383));
                 } else {
-                    phi_444_ = _e235;
+                    phi_496_ = _e278;
                 }
-                let _e344 = phi_444_;
-                let _e346 = p.member.map_size;
-                let _e347 = f32(_e346);
-                let _e350 = ((_e208 * _e347) - 0.5f);
-                let _e351 = ((_e222 * _e347) - 0.5f);
-                if (_e350 > -8388608f) {
-                    let _e363 = f32(select(0i, select(select(i32(_e350), i32(-2147483648), (_e350 < bitcast<f32>(3472883712u))), 2147483647i, (_e350 > bitcast<f32>(1325400063u))), (_e350 == _e350)));
-                    if (_e363 > _e350) {
-                        phi_473_ = 1f;
+                let _e387 = phi_496_;
+                let _e389 = p.member.map_size;
+                let _e390 = f32(_e389);
+                let _e393 = ((_e251 * _e390) - 0.5f);
+                let _e394 = ((_e265 * _e390) - 0.5f);
+                if (_e393 > -8388608f) {
+                    let _e406 = f32(select(0i, select(select(i32(_e393), i32(-2147483648), (_e393 < bitcast<f32>(3472883712u))), 2147483647i, (_e393 > bitcast<f32>(1325400063u))), (_e393 == _e393)));
+                    if (_e406 > _e393) {
+                        phi_525_ = 1f;
                     } else {
-                        phi_473_ = 0f;
+                        phi_525_ = 0f;
                     }
-                    let _e366 = phi_473_;
-                    if (_e350 < 8388608f) {
-                        phi_478_ = (_e363 - _e366);
-                        phi_479_ = false;
+                    let _e409 = phi_525_;
+                    if (_e393 < 8388608f) {
+                        phi_530_ = (_e406 - _e409);
+                        phi_531_ = false;
                     } else {
-                        phi_478_ = f32();
-                        phi_479_ = true;
+                        phi_530_ = f32();
+                        phi_531_ = true;
                     }
-                    let _e369 = phi_478_;
-                    let _e371 = phi_479_;
-                    phi_480_ = _e369;
-                    phi_481_ = _e371;
+                    let _e412 = phi_530_;
+                    let _e414 = phi_531_;
+                    phi_532_ = _e412;
+                    phi_533_ = _e414;
                 } else {
-                    phi_480_ = f32();
-                    phi_481_ = true;
+                    phi_532_ = f32();
+                    phi_533_ = true;
                 }
-                let _e373 = phi_480_;
-                let _e375 = phi_481_;
-                if _e375 {
-                    phi_485_ = _e350;
+                let _e416 = phi_532_;
+                let _e418 = phi_533_;
+                if _e418 {
+                    phi_537_ = _e393;
                 } else {
-                    phi_485_ = _e373;
+                    phi_537_ = _e416;
                 }
-                let _e377 = phi_485_;
-                if (_e351 > -8388608f) {
-                    let _e389 = f32(select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < bitcast<f32>(3472883712u))), 2147483647i, (_e351 > bitcast<f32>(1325400063u))), (_e351 == _e351)));
-                    if (_e389 > _e351) {
-                        phi_505_ = 1f;
+                let _e420 = phi_537_;
+                if (_e394 > -8388608f) {
+                    let _e432 = f32(select(0i, select(select(i32(_e394), i32(-2147483648), (_e394 < bitcast<f32>(3472883712u))), 2147483647i, (_e394 > bitcast<f32>(1325400063u))), (_e394 == _e394)));
+                    if (_e432 > _e394) {
+                        phi_557_ = 1f;
                     } else {
-                        phi_505_ = 0f;
+                        phi_557_ = 0f;
                     }
-                    let _e392 = phi_505_;
-                    if (_e351 < 8388608f) {
-                        phi_510_ = (_e389 - _e392);
-                        phi_511_ = false;
+                    let _e435 = phi_557_;
+                    if (_e394 < 8388608f) {
+                        phi_562_ = (_e432 - _e435);
+                        phi_563_ = false;
                     } else {
-                        phi_510_ = f32();
-                        phi_511_ = true;
+                        phi_562_ = f32();
+                        phi_563_ = true;
                     }
-                    let _e395 = phi_510_;
-                    let _e397 = phi_511_;
-                    phi_512_ = _e395;
-                    phi_513_ = _e397;
+                    let _e438 = phi_562_;
+                    let _e440 = phi_563_;
+                    phi_564_ = _e438;
+                    phi_565_ = _e440;
                 } else {
-                    phi_512_ = f32();
-                    phi_513_ = true;
+                    phi_564_ = f32();
+                    phi_565_ = true;
                 }
-                let _e399 = phi_512_;
-                let _e401 = phi_513_;
-                if _e401 {
-                    phi_517_ = _e351;
-                } else {
-                    phi_517_ = _e399;
-                }
-                let _e403 = phi_517_;
-                let _e404 = (_e350 - _e377);
-                let _e405 = (_e351 - _e403);
-                let _e414 = select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377));
-                let _e423 = select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < bitcast<f32>(3472883712u))), 2147483647i, (_e403 > bitcast<f32>(1325400063u))), (_e403 == _e403));
-                let _e434 = p.member.test;
-                let _e435 = _lt_math_sm_Sm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e434);
-                let _e437 = p.member.map_size;
-                local = _e435;
-                let _e439 = ((0u * _e437) * _e437);
-                let _e441 = (bitcast<i32>(_e437) - 1i);
-                if (_e414 > 0i) {
-                    phi_565_ = _e414;
-                } else {
-                    phi_565_ = 0i;
-                }
+                let _e442 = phi_564_;
                 let _e444 = phi_565_;
-                if (_e423 > 0i) {
-                    phi_570_ = _e423;
+                if _e444 {
+                    phi_569_ = _e394;
                 } else {
-                    phi_570_ = 0i;
+                    phi_569_ = _e442;
                 }
-                let _e447 = phi_570_;
-                if (_e444 < _e441) {
-                    phi_575_ = _e444;
-                } else {
-                    phi_575_ = _e441;
-                }
-                let _e450 = phi_575_;
-                if (_e447 < _e441) {
-                    phi_580_ = _e447;
-                } else {
-                    phi_580_ = _e441;
-                }
-                let _e453 = phi_580_;
-                let _e454 = bitcast<u32>(_e450);
-                let _e456 = (_e414 + 1i);
-                let _e457 = (_e423 + 1i);
-                if (_e456 > 0i) {
-                    phi_589_ = _e456;
-                } else {
-                    phi_589_ = 0i;
-                }
-                let _e460 = phi_589_;
+                let _e446 = phi_569_;
+                let _e447 = (_e393 - _e420);
+                let _e448 = (_e394 - _e446);
+                let _e457 = select(0i, select(select(i32(_e420), i32(-2147483648), (_e420 < bitcast<f32>(3472883712u))), 2147483647i, (_e420 > bitcast<f32>(1325400063u))), (_e420 == _e420));
+                let _e466 = select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < bitcast<f32>(3472883712u))), 2147483647i, (_e446 > bitcast<f32>(1325400063u))), (_e446 == _e446));
+                let _e477 = p.member.test;
+                let _e478 = _lt_math_sm_Sm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e477);
+                let _e480 = p.member.map_size;
+                local = _e478;
+                let _e482 = ((0u * _e480) * _e480);
+                let _e484 = (bitcast<i32>(_e480) - 1i);
                 if (_e457 > 0i) {
-                    phi_594_ = _e457;
+                    phi_617_ = _e457;
                 } else {
-                    phi_594_ = 0i;
+                    phi_617_ = 0i;
                 }
-                let _e463 = phi_594_;
-                if (_e460 < _e441) {
-                    phi_599_ = _e460;
+                let _e487 = phi_617_;
+                if (_e466 > 0i) {
+                    phi_622_ = _e466;
                 } else {
-                    phi_599_ = _e441;
+                    phi_622_ = 0i;
                 }
-                let _e466 = phi_599_;
-                if (_e463 < _e441) {
-                    phi_604_ = _e463;
+                let _e490 = phi_622_;
+                if (_e487 < _e484) {
+                    phi_627_ = _e487;
                 } else {
-                    phi_604_ = _e441;
+                    phi_627_ = _e484;
                 }
-                let _e469 = phi_604_;
-                let _e470 = bitcast<u32>(_e466);
-                let _e472 = (bitcast<u32>(_e453) * _e437);
-                let _e473 = (bitcast<u32>(_e469) * _e437);
-                let _e478 = ((_e472 + _e454) + _e439);
-                let _e479 = ((_e472 + _e470) + _e439);
-                let _e480 = ((_e473 + _e454) + _e439);
-                let _e481 = ((_e473 + _e470) + _e439);
-                if (_e478 < _e41) {
+                let _e493 = phi_627_;
+                if (_e490 < _e484) {
+                    phi_632_ = _e490;
+                } else {
+                    phi_632_ = _e484;
+                }
+                let _e496 = phi_632_;
+                let _e497 = bitcast<u32>(_e493);
+                let _e499 = (_e457 + 1i);
+                let _e500 = (_e466 + 1i);
+                if (_e499 > 0i) {
+                    phi_641_ = _e499;
+                } else {
+                    phi_641_ = 0i;
+                }
+                let _e503 = phi_641_;
+                if (_e500 > 0i) {
+                    phi_646_ = _e500;
+                } else {
+                    phi_646_ = 0i;
+                }
+                let _e506 = phi_646_;
+                if (_e503 < _e484) {
+                    phi_651_ = _e503;
+                } else {
+                    phi_651_ = _e484;
+                }
+                let _e509 = phi_651_;
+                if (_e506 < _e484) {
+                    phi_656_ = _e506;
+                } else {
+                    phi_656_ = _e484;
+                }
+                let _e512 = phi_656_;
+                let _e513 = bitcast<u32>(_e509);
+                let _e515 = (bitcast<u32>(_e496) * _e480);
+                let _e516 = (bitcast<u32>(_e512) * _e480);
+                let _e521 = ((_e515 + _e497) + _e482);
+                let _e522 = ((_e515 + _e513) + _e482);
+                let _e523 = ((_e516 + _e497) + _e482);
+                let _e524 = ((_e516 + _e513) + _e482);
+                if (_e521 < _e41) {
                 } else {
                     return;
                 }
-                let _e485 = map.member[(0u + _e478)];
-                if (_e479 < _e41) {
+                let _e528 = map.member[(0u + _e521)];
+                if (_e522 < _e41) {
                 } else {
                     return;
                 }
-                let _e489 = map.member[(0u + _e479)];
-                if (_e480 < _e41) {
+                let _e532 = map.member[(0u + _e522)];
+                if (_e523 < _e41) {
                 } else {
                     return;
                 }
-                let _e493 = map.member[(0u + _e480)];
-                if (_e481 < _e41) {
+                let _e536 = map.member[(0u + _e523)];
+                if (_e524 < _e41) {
                 } else {
                     return;
                 }
-                let _e497 = map.member[(0u + _e481)];
-                let _e499 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e485, _e489, _e493, _e497), vec4<f32>(((1f - _e404) * (1f - _e405)), (_e404 * (1f - _e405)), ((1f - _e404) * _e405), (_e404 * _e405)), _e344);
-                phi_649_ = evaluate_Verdict(_e499, false);
-                phi_650_ = evaluate_Verdict();
-                phi_651_ = false;
+                let _e540 = map.member[(0u + _e524)];
+                let _e542 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e528, _e532, _e536, _e540), vec4<f32>(((1f - _e447) * (1f - _e448)), (_e447 * (1f - _e448)), ((1f - _e447) * _e448), (_e447 * _e448)), _e387);
+                phi_701_ = evaluate_Verdict(_e542, false);
+                phi_702_ = evaluate_Verdict();
+                phi_703_ = false;
             } else {
-                phi_649_ = evaluate_Verdict();
-                phi_650_ = evaluate_Verdict(1f, false);
-                phi_651_ = true;
+                phi_701_ = evaluate_Verdict();
+                phi_702_ = evaluate_Verdict(1f, false);
+                phi_703_ = true;
             }
-            let _e503 = phi_649_;
-            let _e505 = phi_650_;
-            let _e507 = phi_651_;
-            phi_652_ = _e505;
-            phi_653_ = _e503;
-            phi_654_ = _e507;
+            let _e546 = phi_701_;
+            let _e548 = phi_702_;
+            let _e550 = phi_703_;
+            phi_704_ = _e548;
+            phi_705_ = _e546;
+            phi_706_ = _e550;
         }
-        let _e509 = phi_652_;
-        let _e511 = phi_653_;
-        let _e513 = phi_654_;
-        if _e513 {
-            phi_658_ = _e509;
+        let _e552 = phi_704_;
+        let _e554 = phi_705_;
+        let _e556 = phi_706_;
+        if _e556 {
+            phi_710_ = _e552;
         } else {
-            phi_658_ = _e511;
+            phi_710_ = _e554;
         }
-        let _e515 = phi_658_;
+        let _e558 = phi_710_;
         if (_e50.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e50.first_primitive)] = _e515.visibility;
+        visibility.member[(0u + _e50.first_primitive)] = _e558.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,18 +48,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_29 {
+struct type_31 {
     member: abi_ShadowParams,
 }
 
@@ -60,7 +69,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_35 {
+struct type_37 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -74,45 +83,45 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_29;
+var<uniform> p: type_31;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_35;
+var<storage> levels: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_143_: lt_bvh_traverse_Tree;
-    var phi_144_: bool;
     var phi_145_: lt_bvh_traverse_Tree;
     var phi_146_: bool;
-    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_153_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_144_ = false;
+            phi_145_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_146_ = false;
         } else {
-            phi_143_ = lt_bvh_traverse_Tree();
-            phi_144_ = true;
+            phi_145_ = lt_bvh_traverse_Tree();
+            phi_146_ = true;
         }
-        let _e52 = phi_143_;
-        let _e54 = phi_144_;
-        phi_145_ = _e52;
-        phi_146_ = _e54;
+        let _e52 = phi_145_;
+        let _e54 = phi_146_;
+        phi_147_ = _e52;
+        phi_148_ = _e54;
     } else {
-        phi_145_ = lt_bvh_traverse_Tree();
-        phi_146_ = true;
+        phi_147_ = lt_bvh_traverse_Tree();
+        phi_148_ = true;
     }
-    let _e56 = phi_145_;
-    let _e58 = phi_146_;
+    let _e56 = phi_147_;
+    let _e58 = phi_148_;
     if _e58 {
-        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_153_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_151_ = _e56;
+        phi_153_ = _e56;
     }
-    let _e63 = phi_151_;
+    let _e63 = phi_153_;
     return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
@@ -121,222 +130,208 @@ fn _lt_math_sm_Sm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(
 }
 
 fn _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_247_: f32;
-    var phi_248_: f32;
     var phi_249_: f32;
-    var phi_266_: f32;
-    var phi_267_: f32;
+    var phi_250_: f32;
+    var phi_251_: f32;
     var phi_268_: f32;
+    var phi_269_: f32;
+    var phi_270_: f32;
 
     let _e43 = (*param_4);
     let _e44 = (param_5.x + _e43);
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_249_ = param_6;
+        phi_251_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_248_ = 0f;
+            phi_250_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_247_ = 1f;
+                phi_249_ = 1f;
             } else {
-                phi_247_ = param_6;
+                phi_249_ = param_6;
             }
-            let _e51 = phi_247_;
-            phi_248_ = _e51;
+            let _e51 = phi_249_;
+            phi_250_ = _e51;
         }
-        let _e53 = phi_248_;
-        phi_249_ = _e53;
+        let _e53 = phi_250_;
+        phi_251_ = _e53;
     }
-    let _e55 = phi_249_;
+    let _e55 = phi_251_;
     if ((bitcast<u32>(_e44) & 2147483647u) > 2139095040u) {
-        phi_268_ = _e44;
+        phi_270_ = _e44;
     } else {
         if ((bitcast<u32>(_e55) & 2147483647u) > 2139095040u) {
-            phi_267_ = _e55;
+            phi_269_ = _e55;
         } else {
             if (_e44 < _e55) {
-                phi_266_ = 0f;
+                phi_268_ = 0f;
             } else {
-                phi_266_ = 1f;
+                phi_268_ = 1f;
             }
-            let _e64 = phi_266_;
-            phi_267_ = _e64;
+            let _e64 = phi_268_;
+            phi_269_ = _e64;
         }
-        let _e66 = phi_267_;
-        phi_268_ = _e66;
+        let _e66 = phi_269_;
+        phi_270_ = _e66;
     }
-    let _e68 = phi_268_;
+    let _e68 = phi_270_;
     return _e68;
 }
 
 fn _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_7: f32) -> vec4<f32> {
-    var phi_222_: f32;
-    var phi_223_: f32;
     var phi_224_: f32;
+    var phi_225_: f32;
+    var phi_226_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_224_ = param_7;
+        phi_226_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_223_ = 0f;
+            phi_225_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_222_ = 1f;
+                phi_224_ = 1f;
             } else {
-                phi_222_ = param_7;
+                phi_224_ = param_7;
             }
-            let _e46 = phi_222_;
-            phi_223_ = _e46;
+            let _e46 = phi_224_;
+            phi_225_ = _e46;
         }
-        let _e48 = phi_223_;
-        phi_224_ = _e48;
+        let _e48 = phi_225_;
+        phi_226_ = _e48;
     }
-    let _e50 = phi_224_;
+    let _e50 = phi_226_;
     return vec4<f32>(_e50, 0f, 0f, 0f);
 }
 
 fn _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_8: ptr<function, f32>, param_9: vec4<f32>, param_10: vec4<f32>, param_11: f32) -> f32 {
-    var phi_185_: f32;
-    var phi_186_: f32;
-    var phi_194_: f32;
-    var phi_195_: f32;
-    var phi_202_: f32;
-    var phi_205_: f32;
+    var phi_187_: f32;
+    var phi_188_: f32;
+    var phi_196_: f32;
+    var phi_197_: f32;
+    var phi_204_: f32;
+    var phi_207_: f32;
 
     let _e49 = (((param_10.x + param_10.y) + param_10.z) + param_10.w);
     if ((bitcast<u32>(_e49) & 2147483647u) > 2139095040u) {
-        phi_205_ = _e49;
+        phi_207_ = _e49;
     } else {
         if (param_10.y > param_10.x) {
-            phi_185_ = param_9.y;
-            phi_186_ = param_10.y;
+            phi_187_ = param_9.y;
+            phi_188_ = param_10.y;
         } else {
-            phi_185_ = param_9.x;
-            phi_186_ = param_10.x;
+            phi_187_ = param_9.x;
+            phi_188_ = param_10.x;
         }
-        let _e60 = phi_185_;
-        let _e62 = phi_186_;
+        let _e60 = phi_187_;
+        let _e62 = phi_188_;
         if (param_10.z > _e62) {
-            phi_194_ = param_9.z;
-            phi_195_ = param_10.z;
+            phi_196_ = param_9.z;
+            phi_197_ = param_10.z;
         } else {
-            phi_194_ = _e60;
-            phi_195_ = _e62;
+            phi_196_ = _e60;
+            phi_197_ = _e62;
         }
-        let _e68 = phi_194_;
-        let _e70 = phi_195_;
+        let _e68 = phi_196_;
+        let _e70 = phi_197_;
         if (param_10.w > _e70) {
-            phi_202_ = param_9.w;
+            phi_204_ = param_9.w;
         } else {
-            phi_202_ = _e68;
+            phi_204_ = _e68;
         }
-        let _e75 = phi_202_;
+        let _e75 = phi_204_;
         let _e76 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e75);
         let _e77 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_8, _e76, param_11);
-        phi_205_ = _e77;
+        phi_207_ = _e77;
     }
-    let _e79 = phi_205_;
+    let _e79 = phi_207_;
     return _e79;
-}
-
-fn lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
-    var phi_1096_: f32;
-
-    if (param_12 < param_13) {
-        phi_1096_ = param_12;
-    } else {
-        phi_1096_ = param_13;
-    }
-    let _e43 = phi_1096_;
-    return _e43;
 }
 
 fn function_() {
     var local: f32;
-    var phi_329_: bool;
     var phi_330_: bool;
     var phi_331_: bool;
     var phi_332_: bool;
-    var phi_336_: bool;
-    var phi_380_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_384_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_404_: lt_math_LightPoint;
-    var phi_407_: u32;
-    var phi_409_: lt_math_LevelPoint;
-    var phi_495_: bool;
-    var phi_504_: bool;
-    var phi_513_: bool;
-    var phi_514_: bool;
-    var phi_515_: bool;
-    var phi_516_: bool;
-    var phi_517_: bool;
-    var phi_518_: bool;
-    var phi_519_: bool;
-    var phi_523_: bool;
-    var phi_550_: bool;
-    var phi_551_: bool;
-    var phi_552_: bool;
+    var phi_333_: bool;
+    var phi_337_: bool;
+    var phi_407_: bool;
+    var phi_408_: bool;
+    var phi_419_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_420_: bool;
+    var phi_421_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_422_: bool;
+    var phi_429_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_433_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_453_: lt_math_LightPoint;
+    var phi_456_: u32;
+    var phi_458_: lt_math_LevelPoint;
+    var phi_544_: bool;
     var phi_553_: bool;
-    var phi_554_: bool;
-    var phi_555_: bool;
-    var phi_556_: bool;
-    var phi_557_: bool;
-    var phi_561_: bool;
-    var phi_570_: lt_math_LightPoint;
-    var phi_571_: u32;
-    var phi_572_: lt_math_LevelPoint;
-    var phi_573_: bool;
-    var phi_405_: lt_math_LightPoint;
-    var phi_408_: u32;
-    var phi_410_: lt_math_LevelPoint;
-    var phi_574_: bool;
+    var phi_562_: bool;
+    var phi_563_: bool;
+    var phi_564_: bool;
+    var phi_565_: bool;
+    var phi_566_: bool;
+    var phi_567_: bool;
+    var phi_568_: bool;
+    var phi_572_: bool;
+    var phi_599_: bool;
+    var phi_600_: bool;
+    var phi_601_: bool;
+    var phi_602_: bool;
+    var phi_603_: bool;
+    var phi_604_: bool;
+    var phi_605_: bool;
+    var phi_606_: bool;
+    var phi_610_: bool;
+    var phi_619_: lt_math_LightPoint;
+    var phi_620_: u32;
+    var phi_621_: lt_math_LevelPoint;
+    var phi_622_: bool;
+    var phi_454_: lt_math_LightPoint;
+    var phi_457_: u32;
+    var phi_459_: lt_math_LevelPoint;
+    var phi_623_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_614_: bool;
-    var phi_615_: bool;
-    var phi_616_: bool;
-    var phi_617_: bool;
-    var phi_621_: bool;
-    var phi_703_: f32;
-    var phi_819_: f32;
-    var phi_820_: f32;
-    var phi_823_: f32;
-    var phi_852_: f32;
-    var phi_857_: f32;
-    var phi_858_: bool;
-    var phi_859_: f32;
-    var phi_860_: bool;
-    var phi_864_: f32;
-    var phi_884_: f32;
-    var phi_889_: f32;
-    var phi_890_: bool;
-    var phi_891_: f32;
-    var phi_892_: bool;
-    var phi_896_: f32;
+    var phi_663_: bool;
+    var phi_664_: bool;
+    var phi_665_: bool;
+    var phi_666_: bool;
+    var phi_670_: bool;
+    var phi_752_: f32;
+    var phi_870_: f32;
+    var phi_871_: f32;
+    var phi_874_: f32;
+    var phi_903_: f32;
+    var phi_908_: f32;
+    var phi_909_: bool;
+    var phi_910_: f32;
+    var phi_911_: bool;
+    var phi_915_: f32;
+    var phi_935_: f32;
+    var phi_940_: f32;
+    var phi_941_: bool;
+    var phi_942_: f32;
+    var phi_943_: bool;
+    var phi_947_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_945_: i32;
-    var phi_950_: i32;
-    var phi_955_: i32;
-    var phi_960_: i32;
-    var phi_969_: i32;
-    var phi_974_: i32;
-    var phi_979_: i32;
-    var phi_984_: i32;
-    var local_4: lt_math_LevelPoint;
-    var phi_1056_: f32;
-    var phi_1058_: evaluate_Verdict;
-    var phi_1059_: bool;
-    var phi_1060_: evaluate_Verdict;
-    var phi_1061_: bool;
-    var phi_1066_: evaluate_Verdict;
-    var phi_1067_: bool;
-    var phi_1069_: evaluate_Verdict;
-    var phi_1070_: evaluate_Verdict;
-    var phi_1071_: bool;
-    var phi_1075_: evaluate_Verdict;
-    var phi_1076_: evaluate_Verdict;
-    var phi_1077_: bool;
+    var phi_996_: i32;
+    var phi_1001_: i32;
+    var phi_1006_: i32;
+    var phi_1011_: i32;
+    var phi_1020_: i32;
+    var phi_1025_: i32;
+    var phi_1030_: i32;
+    var phi_1035_: i32;
+    var phi_1080_: evaluate_Verdict;
     var phi_1081_: evaluate_Verdict;
+    var phi_1082_: bool;
+    var phi_1083_: evaluate_Verdict;
+    var phi_1084_: evaluate_Verdict;
+    var phi_1085_: bool;
+    var phi_1089_: evaluate_Verdict;
 
     let _e40 = id_1;
     let _e47 = arrayLength((&map.member));
@@ -350,533 +345,531 @@ fn function_() {
         } else {
             return;
         }
-        let _e70 = p.member.light;
-        let _e73 = samples.member[(0u + _e59.first_primitive)].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[(0u + _e59.first_primitive)].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[(0u + _e59.first_primitive)].normal[2u];
-                let _e85 = global[2u];
-                phi_329_ = (_e83 == _e85);
-                phi_330_ = false;
+        let _e72 = samples.member[(0u + _e59.first_primitive)].normal[0u];
+        let _e74 = global[0u];
+        if (_e72 == _e74) {
+            let _e77 = samples.member[(0u + _e59.first_primitive)].normal[1u];
+            let _e79 = global[1u];
+            if (_e77 == _e79) {
+                let _e82 = samples.member[(0u + _e59.first_primitive)].normal[2u];
+                let _e84 = global[2u];
+                phi_330_ = (_e82 == _e84);
+                phi_331_ = false;
             } else {
-                phi_329_ = bool();
-                phi_330_ = true;
+                phi_330_ = bool();
+                phi_331_ = true;
             }
-            let _e88 = phi_329_;
-            let _e90 = phi_330_;
-            phi_331_ = _e88;
-            phi_332_ = _e90;
+            let _e87 = phi_330_;
+            let _e89 = phi_331_;
+            phi_332_ = _e87;
+            phi_333_ = _e89;
         } else {
-            phi_331_ = bool();
-            phi_332_ = true;
+            phi_332_ = bool();
+            phi_333_ = true;
         }
-        let _e92 = phi_331_;
-        let _e94 = phi_332_;
-        if _e94 {
-            phi_336_ = false;
+        let _e91 = phi_332_;
+        let _e93 = phi_333_;
+        if _e93 {
+            phi_337_ = false;
         } else {
-            phi_336_ = _e92;
+            phi_337_ = _e91;
         }
-        let _e96 = phi_336_;
-        if !(_e96) {
-            let _e99 = samples.member[(0u + _e59.first_primitive)].normal;
-            let _e101 = samples.member[(0u + _e59.first_primitive)].position;
-            if ((((_e99.x * (_e70.x - (_e101.x * _e70.w))) + (_e99.y * (_e70.y - (_e101.y * _e70.w)))) + (_e99.z * (_e70.z - (_e101.z * _e70.w)))) > 0f) {
-                let _e125 = samples.member[(0u + _e59.first_primitive)].flags;
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e133.unnamed.visibility, false), _e133.unnamed_1);
-                phi_380_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e139.unnamed, ((_e125 & 1u) == 0u));
-            } else {
-                let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e148.unnamed.visibility, false), _e148.unnamed_1);
-                phi_380_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e154.unnamed, true);
-            }
-            let _e159 = phi_380_;
-            phi_384_ = _e159;
-        } else {
-            let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
-            phi_384_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, true);
-        }
-        let _e176 = phi_384_;
-        if _e176.unnamed_1 {
-            phi_1075_ = evaluate_Verdict(_e176.unnamed.visibility, _e176.unnamed.is_doubted);
-            phi_1076_ = evaluate_Verdict();
-            phi_1077_ = true;
-        } else {
-            let _e184 = samples.member[(0u + _e59.first_primitive)].position;
-            let _e186 = p.member.map_size;
-            let _e188 = (0.5f / f32(_e186));
-            let _e195 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e202 = lt_math_LightPoint(vec2<f32>(_e195.uv.x, 0f), _e195.depth, _e195.is_inside);
-            let _e206 = lt_math_LightPoint(_e202.uv, 0f, _e202.is_inside);
-            phi_404_ = lt_math_LightPoint();
-            phi_407_ = 0u;
-            phi_409_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e206.uv, _e206.depth, false));
-            loop {
-                let _e213 = phi_404_;
-                let _e215 = phi_407_;
-                let _e217 = phi_409_;
-                local_1 = _e217;
-                local_2 = _e217;
-                local_3 = _e217;
-                local_4 = _e217;
-                if (_e215 < _e65) {
-                    if _e217.point.is_inside {
-                        phi_570_ = lt_math_LightPoint();
-                        phi_571_ = u32();
-                        phi_572_ = lt_math_LevelPoint();
-                        phi_573_ = false;
+        let _e95 = phi_337_;
+        if !(_e95) {
+            let _e98 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e100 = p.member.light.place;
+            let _e106 = p.member.light.place[3u];
+            let _e113 = (_e100.x - (_e98.x * _e106));
+            let _e114 = (_e100.y - (_e98.y * _e106));
+            let _e115 = (_e100.z - (_e98.z * _e106));
+            let _e117 = samples.member[(0u + _e59.first_primitive)].normal;
+            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
+                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
+                let _e133 = p.member.light.axis;
+                let _e145 = p.member.light.place[3u];
+                if (_e145 == 0f) {
+                    phi_408_ = true;
+                } else {
+                    let _e148 = p.member.light.range_squared;
+                    if (_e131 <= _e148) {
+                        let _e151 = p.member.light.cos_outer;
+                        phi_407_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
                     } else {
-                        if (_e215 < _e53) {
+                        phi_407_ = false;
+                    }
+                    let _e156 = phi_407_;
+                    phi_408_ = _e156;
+                }
+                let _e158 = phi_408_;
+                if _e158 {
+                    let _e160 = samples.member[(0u + _e59.first_primitive)].flags;
+                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+                    phi_419_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
+                    phi_420_ = false;
+                } else {
+                    phi_419_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_420_ = true;
+                }
+                let _e179 = phi_419_;
+                let _e181 = phi_420_;
+                phi_421_ = _e179;
+                phi_422_ = _e181;
+            } else {
+                phi_421_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_422_ = true;
+            }
+            let _e183 = phi_421_;
+            let _e185 = phi_422_;
+            if _e185 {
+                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
+                phi_429_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
+            } else {
+                phi_429_ = _e183;
+            }
+            let _e202 = phi_429_;
+            phi_433_ = _e202;
+        } else {
+            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
+            phi_433_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
+        }
+        let _e219 = phi_433_;
+        if _e219.unnamed_1 {
+            phi_1083_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
+            phi_1084_ = evaluate_Verdict();
+            phi_1085_ = true;
+        } else {
+            let _e227 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e229 = p.member.map_size;
+            let _e231 = (0.5f / f32(_e229));
+            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
+            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
+            phi_453_ = lt_math_LightPoint();
+            phi_456_ = 0u;
+            phi_458_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
+            loop {
+                let _e256 = phi_453_;
+                let _e258 = phi_456_;
+                let _e260 = phi_458_;
+                local_1 = _e260;
+                local_2 = _e260;
+                local_3 = _e260;
+                if (_e258 < _e65) {
+                    if _e260.point.is_inside {
+                        phi_619_ = lt_math_LightPoint();
+                        phi_620_ = u32();
+                        phi_621_ = lt_math_LevelPoint();
+                        phi_622_ = false;
+                    } else {
+                        if (_e258 < _e53) {
                         } else {
                             return;
                         }
-                        let _e228 = levels.member[(0u + _e215)].row_w;
-                        let _e239 = ((((_e228.x * _e184.x) + (_e228.y * _e184.y)) + (_e228.z * _e184.z)) + (_e228.w * 1f));
-                        let _e241 = levels.member[(0u + _e215)].row_x;
-                        let _e253 = (((((_e241.x * _e184.x) + (_e241.y * _e184.y)) + (_e241.z * _e184.z)) + (_e241.w * 1f)) / _e239);
-                        let _e255 = levels.member[(0u + _e215)].row_y;
-                        let _e267 = (((((_e255.x * _e184.x) + (_e255.y * _e184.y)) + (_e255.z * _e184.z)) + (_e255.w * 1f)) / _e239);
-                        let _e269 = levels.member[(0u + _e215)].row_z;
-                        let _e280 = ((((_e269.x * _e184.x) + (_e269.y * _e184.y)) + (_e269.z * _e184.z)) + (_e269.w * 1f));
-                        if (_e239 > 0f) {
-                            if (_e253 >= 0f) {
-                                phi_495_ = (_e253 <= 1f);
+                        let _e271 = levels.member[(0u + _e258)].row_w;
+                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
+                        let _e284 = levels.member[(0u + _e258)].row_x;
+                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
+                        let _e298 = levels.member[(0u + _e258)].row_y;
+                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
+                        let _e312 = levels.member[(0u + _e258)].row_z;
+                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
+                        if (_e282 > 0f) {
+                            if (_e296 >= 0f) {
+                                phi_544_ = (_e296 <= 1f);
                             } else {
-                                phi_495_ = false;
+                                phi_544_ = false;
                             }
-                            let _e285 = phi_495_;
-                            if _e285 {
-                                if (_e267 >= 0f) {
-                                    phi_504_ = (_e267 <= 1f);
+                            let _e328 = phi_544_;
+                            if _e328 {
+                                if (_e310 >= 0f) {
+                                    phi_553_ = (_e310 <= 1f);
                                 } else {
-                                    phi_504_ = false;
+                                    phi_553_ = false;
                                 }
-                                let _e289 = phi_504_;
-                                if _e289 {
-                                    if (_e280 >= 0f) {
-                                        phi_513_ = (_e280 <= 1f);
+                                let _e332 = phi_553_;
+                                if _e332 {
+                                    if (_e323 >= 0f) {
+                                        phi_562_ = (_e323 <= 1f);
                                     } else {
-                                        phi_513_ = false;
+                                        phi_562_ = false;
                                     }
-                                    let _e293 = phi_513_;
-                                    phi_514_ = _e293;
-                                    phi_515_ = false;
+                                    let _e336 = phi_562_;
+                                    phi_563_ = _e336;
+                                    phi_564_ = false;
                                 } else {
-                                    phi_514_ = bool();
-                                    phi_515_ = true;
+                                    phi_563_ = bool();
+                                    phi_564_ = true;
                                 }
-                                let _e295 = phi_514_;
-                                let _e297 = phi_515_;
-                                phi_516_ = _e295;
-                                phi_517_ = _e297;
+                                let _e338 = phi_563_;
+                                let _e340 = phi_564_;
+                                phi_565_ = _e338;
+                                phi_566_ = _e340;
                             } else {
-                                phi_516_ = bool();
-                                phi_517_ = true;
+                                phi_565_ = bool();
+                                phi_566_ = true;
                             }
-                            let _e299 = phi_516_;
-                            let _e301 = phi_517_;
-                            phi_518_ = _e299;
-                            phi_519_ = _e301;
+                            let _e342 = phi_565_;
+                            let _e344 = phi_566_;
+                            phi_567_ = _e342;
+                            phi_568_ = _e344;
                         } else {
-                            phi_518_ = bool();
-                            phi_519_ = true;
+                            phi_567_ = bool();
+                            phi_568_ = true;
                         }
-                        let _e303 = phi_518_;
-                        let _e305 = phi_519_;
-                        if _e305 {
-                            phi_523_ = false;
+                        let _e346 = phi_567_;
+                        let _e348 = phi_568_;
+                        if _e348 {
+                            phi_572_ = false;
                         } else {
-                            phi_523_ = _e303;
+                            phi_572_ = _e346;
                         }
-                        let _e307 = phi_523_;
-                        if _e307 {
-                            if (_e253 >= _e188) {
-                                if (_e253 <= (1f - _e188)) {
-                                    if (_e267 >= _e188) {
-                                        phi_550_ = (_e267 <= (1f - _e188));
-                                        phi_551_ = false;
+                        let _e350 = phi_572_;
+                        if _e350 {
+                            if (_e296 >= _e231) {
+                                if (_e296 <= (1f - _e231)) {
+                                    if (_e310 >= _e231) {
+                                        phi_599_ = (_e310 <= (1f - _e231));
+                                        phi_600_ = false;
                                     } else {
-                                        phi_550_ = bool();
-                                        phi_551_ = true;
+                                        phi_599_ = bool();
+                                        phi_600_ = true;
                                     }
-                                    let _e315 = phi_550_;
-                                    let _e317 = phi_551_;
-                                    phi_552_ = _e315;
-                                    phi_553_ = _e317;
+                                    let _e358 = phi_599_;
+                                    let _e360 = phi_600_;
+                                    phi_601_ = _e358;
+                                    phi_602_ = _e360;
                                 } else {
-                                    phi_552_ = bool();
-                                    phi_553_ = true;
+                                    phi_601_ = bool();
+                                    phi_602_ = true;
                                 }
-                                let _e319 = phi_552_;
-                                let _e321 = phi_553_;
-                                phi_554_ = _e319;
-                                phi_555_ = _e321;
+                                let _e362 = phi_601_;
+                                let _e364 = phi_602_;
+                                phi_603_ = _e362;
+                                phi_604_ = _e364;
                             } else {
-                                phi_554_ = bool();
-                                phi_555_ = true;
+                                phi_603_ = bool();
+                                phi_604_ = true;
                             }
-                            let _e323 = phi_554_;
-                            let _e325 = phi_555_;
-                            phi_556_ = _e323;
-                            phi_557_ = _e325;
+                            let _e366 = phi_603_;
+                            let _e368 = phi_604_;
+                            phi_605_ = _e366;
+                            phi_606_ = _e368;
                         } else {
-                            phi_556_ = bool();
-                            phi_557_ = true;
+                            phi_605_ = bool();
+                            phi_606_ = true;
                         }
-                        let _e327 = phi_556_;
-                        let _e329 = phi_557_;
-                        if _e329 {
-                            phi_561_ = false;
+                        let _e370 = phi_605_;
+                        let _e372 = phi_606_;
+                        if _e372 {
+                            phi_610_ = false;
                         } else {
-                            phi_561_ = _e327;
+                            phi_610_ = _e370;
                         }
-                        let _e331 = phi_561_;
-                        let _e338 = lt_math_LightPoint(vec2<f32>(_e253, _e213.uv.y), _e213.depth, _e213.is_inside);
-                        let _e345 = lt_math_LightPoint(vec2<f32>(_e338.uv.x, _e267), _e338.depth, _e338.is_inside);
-                        let _e349 = lt_math_LightPoint(_e345.uv, _e280, _e345.is_inside);
-                        let _e353 = lt_math_LightPoint(_e349.uv, _e349.depth, _e331);
-                        phi_570_ = _e353;
-                        phi_571_ = (_e215 + 1u);
-                        phi_572_ = lt_math_LevelPoint(_e215, _e353);
-                        phi_573_ = true;
+                        let _e374 = phi_610_;
+                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
+                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
+                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
+                        phi_619_ = _e396;
+                        phi_620_ = (_e258 + 1u);
+                        phi_621_ = lt_math_LevelPoint(_e258, _e396);
+                        phi_622_ = true;
                     }
-                    let _e357 = phi_570_;
-                    let _e359 = phi_571_;
-                    let _e361 = phi_572_;
-                    let _e363 = phi_573_;
-                    phi_405_ = _e357;
-                    phi_408_ = _e359;
-                    phi_410_ = _e361;
-                    phi_574_ = _e363;
+                    let _e400 = phi_619_;
+                    let _e402 = phi_620_;
+                    let _e404 = phi_621_;
+                    let _e406 = phi_622_;
+                    phi_454_ = _e400;
+                    phi_457_ = _e402;
+                    phi_459_ = _e404;
+                    phi_623_ = _e406;
                 } else {
-                    phi_405_ = lt_math_LightPoint();
-                    phi_408_ = u32();
-                    phi_410_ = lt_math_LevelPoint();
-                    phi_574_ = false;
+                    phi_454_ = lt_math_LightPoint();
+                    phi_457_ = u32();
+                    phi_459_ = lt_math_LevelPoint();
+                    phi_623_ = false;
                 }
-                let _e365 = phi_405_;
-                let _e367 = phi_408_;
-                let _e369 = phi_410_;
-                let _e371 = phi_574_;
+                let _e408 = phi_454_;
+                let _e410 = phi_457_;
+                let _e412 = phi_459_;
+                let _e414 = phi_623_;
                 continue;
                 continuing {
-                    phi_404_ = _e365;
-                    phi_407_ = _e367;
-                    phi_409_ = _e369;
-                    break if !(_e371);
+                    phi_453_ = _e408;
+                    phi_456_ = _e410;
+                    phi_458_ = _e412;
+                    break if !(_e414);
                 }
             }
-            let _e374 = local_1;
-            if _e374.point.is_inside {
+            let _e417 = local_1;
+            if _e417.point.is_inside {
                 if (0.5f > 0f) {
-                    let _e380 = local_2;
-                    if (_e380.level < _e53) {
+                    let _e423 = local_2;
+                    if (_e423.level < _e53) {
                     } else {
                         return;
                     }
-                    let _e385 = levels.member[(0u + _e380.level)];
-                    let _e391 = global[0u];
-                    if (_e385.row_w.x == _e391) {
-                        let _e394 = global[1u];
-                        if (_e385.row_w.y == _e394) {
-                            let _e397 = global[2u];
-                            phi_614_ = (_e385.row_w.z == _e397);
-                            phi_615_ = false;
+                    let _e428 = levels.member[(0u + _e423.level)];
+                    let _e434 = global[0u];
+                    if (_e428.row_w.x == _e434) {
+                        let _e437 = global[1u];
+                        if (_e428.row_w.y == _e437) {
+                            let _e440 = global[2u];
+                            phi_663_ = (_e428.row_w.z == _e440);
+                            phi_664_ = false;
                         } else {
-                            phi_614_ = bool();
-                            phi_615_ = true;
+                            phi_663_ = bool();
+                            phi_664_ = true;
                         }
-                        let _e400 = phi_614_;
-                        let _e402 = phi_615_;
-                        phi_616_ = _e400;
-                        phi_617_ = _e402;
+                        let _e443 = phi_663_;
+                        let _e445 = phi_664_;
+                        phi_665_ = _e443;
+                        phi_666_ = _e445;
                     } else {
-                        phi_616_ = bool();
-                        phi_617_ = true;
+                        phi_665_ = bool();
+                        phi_666_ = true;
                     }
-                    let _e404 = phi_616_;
-                    let _e406 = phi_617_;
-                    if _e406 {
-                        phi_621_ = false;
+                    let _e447 = phi_665_;
+                    let _e449 = phi_666_;
+                    if _e449 {
+                        phi_670_ = false;
                     } else {
-                        phi_621_ = _e404;
+                        phi_670_ = _e447;
                     }
-                    let _e408 = phi_621_;
-                    if _e408 {
-                        let _e410 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e412 = p.member.map_size;
-                        let _e482 = ((abs(((((_e385.row_x.x * _e410.x) + (_e385.row_x.y * _e410.y)) + (_e385.row_x.z * _e410.z)) / (((_e385.row_x.x * _e385.row_x.x) + (_e385.row_x.y * _e385.row_x.y)) + (_e385.row_x.z * _e385.row_x.z)))) + abs(((((_e385.row_y.x * _e410.x) + (_e385.row_y.y * _e410.y)) + (_e385.row_y.z * _e410.z)) / (((_e385.row_y.x * _e385.row_y.x) + (_e385.row_y.y * _e385.row_y.y)) + (_e385.row_y.z * _e385.row_y.z))))) / (abs(((((_e385.row_z.x * _e410.x) + (_e385.row_z.y * _e410.y)) + (_e385.row_z.z * _e410.z)) / (((_e385.row_z.x * _e385.row_z.x) + (_e385.row_z.y * _e385.row_z.y)) + (_e385.row_z.z * _e385.row_z.z)))) * f32(_e412)));
-                        if (_e482 < 0.002f) {
-                            phi_703_ = _e482;
+                    let _e451 = phi_670_;
+                    if _e451 {
+                        let _e453 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e455 = p.member.map_size;
+                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
+                        if (_e525 < 0.002f) {
+                            phi_752_ = _e525;
                         } else {
-                            phi_703_ = 0.002f;
+                            phi_752_ = 0.002f;
                         }
-                        let _e485 = phi_703_;
-                        phi_820_ = _e485;
+                        let _e528 = phi_752_;
+                        phi_871_ = _e528;
                     } else {
-                        let _e487 = p.member.map_size;
-                        let _e493 = samples.member[(0u + _e59.first_primitive)].position;
-                        let _e504 = ((((_e385.row_w.x * _e493.x) + (_e385.row_w.y * _e493.y)) + (_e385.row_w.z * _e493.z)) + _e385.row_w.w);
-                        let _e517 = ((_e385.row_x.x - (_e385.row_w.x * _e374.point.uv.x)) / _e504);
-                        let _e518 = ((_e385.row_x.y - (_e385.row_w.y * _e374.point.uv.x)) / _e504);
-                        let _e519 = ((_e385.row_x.z - (_e385.row_w.z * _e374.point.uv.x)) / _e504);
-                        let _e532 = ((_e385.row_y.x - (_e385.row_w.x * _e374.point.uv.y)) / _e504);
-                        let _e533 = ((_e385.row_y.y - (_e385.row_w.y * _e374.point.uv.y)) / _e504);
-                        let _e534 = ((_e385.row_y.z - (_e385.row_w.z * _e374.point.uv.y)) / _e504);
-                        let _e540 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e545 = ((_e533 * _e540.z) - (_e540.y * _e534));
-                        let _e550 = ((_e534 * _e540.x) - (_e540.z * _e532));
-                        let _e555 = ((_e532 * _e540.y) - (_e540.x * _e533));
-                        let _e557 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e562 = ((_e518 * _e557.z) - (_e557.y * _e519));
-                        let _e567 = ((_e519 * _e557.x) - (_e557.z * _e517));
-                        let _e572 = ((_e517 * _e557.y) - (_e557.x * _e518));
-                        let _e599 = ((abs(((((_e385.row_z.x * _e545) + (_e385.row_z.y * _e550)) + (_e385.row_z.z * _e555)) / (((_e517 * _e545) + (_e518 * _e550)) + (_e519 * _e555)))) + abs(((((_e385.row_z.x * _e562) + (_e385.row_z.y * _e567)) + (_e385.row_z.z * _e572)) / (((_e532 * _e562) + (_e533 * _e567)) + (_e534 * _e572))))) / f32(_e487));
-                        if (_e599 < 0.002f) {
-                            phi_819_ = _e599;
+                        let _e530 = p.member.map_size;
+                        let _e536 = samples.member[(0u + _e59.first_primitive)].position;
+                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
+                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
+                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
+                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
+                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
+                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
+                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
+                        let _e583 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
+                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
+                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
+                        let _e600 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
+                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
+                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
+                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
+                        let _e644 = (16f / f32(_e530));
+                        if (_e642 < _e644) {
+                            phi_870_ = _e642;
                         } else {
-                            phi_819_ = 0.002f;
+                            phi_870_ = _e644;
                         }
-                        let _e602 = phi_819_;
-                        phi_820_ = _e602;
+                        let _e647 = phi_870_;
+                        phi_871_ = _e647;
                     }
-                    let _e604 = phi_820_;
-                    phi_823_ = (_e374.point.depth - (0.5f * _e604));
+                    let _e649 = phi_871_;
+                    phi_874_ = (_e417.point.depth - (0.5f * _e649));
                 } else {
-                    phi_823_ = _e374.point.depth;
+                    phi_874_ = _e417.point.depth;
                 }
-                let _e608 = phi_823_;
-                let _e614 = p.member.map_size;
-                let _e615 = f32(_e614);
-                let _e618 = ((_e374.point.uv.x * _e615) - 0.5f);
-                let _e619 = ((_e374.point.uv.y * _e615) - 0.5f);
-                if (_e618 > -8388608f) {
-                    let _e631 = f32(select(0i, select(select(i32(_e618), i32(-2147483648), (_e618 < bitcast<f32>(3472883712u))), 2147483647i, (_e618 > bitcast<f32>(1325400063u))), (_e618 == _e618)));
-                    if (_e631 > _e618) {
-                        phi_852_ = 1f;
+                let _e653 = phi_874_;
+                let _e659 = p.member.map_size;
+                let _e660 = f32(_e659);
+                let _e663 = ((_e417.point.uv.x * _e660) - 0.5f);
+                let _e664 = ((_e417.point.uv.y * _e660) - 0.5f);
+                if (_e663 > -8388608f) {
+                    let _e676 = f32(select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < bitcast<f32>(3472883712u))), 2147483647i, (_e663 > bitcast<f32>(1325400063u))), (_e663 == _e663)));
+                    if (_e676 > _e663) {
+                        phi_903_ = 1f;
                     } else {
-                        phi_852_ = 0f;
+                        phi_903_ = 0f;
                     }
-                    let _e634 = phi_852_;
-                    if (_e618 < 8388608f) {
-                        phi_857_ = (_e631 - _e634);
-                        phi_858_ = false;
+                    let _e679 = phi_903_;
+                    if (_e663 < 8388608f) {
+                        phi_908_ = (_e676 - _e679);
+                        phi_909_ = false;
                     } else {
-                        phi_857_ = f32();
-                        phi_858_ = true;
+                        phi_908_ = f32();
+                        phi_909_ = true;
                     }
-                    let _e637 = phi_857_;
-                    let _e639 = phi_858_;
-                    phi_859_ = _e637;
-                    phi_860_ = _e639;
+                    let _e682 = phi_908_;
+                    let _e684 = phi_909_;
+                    phi_910_ = _e682;
+                    phi_911_ = _e684;
                 } else {
-                    phi_859_ = f32();
-                    phi_860_ = true;
+                    phi_910_ = f32();
+                    phi_911_ = true;
                 }
-                let _e641 = phi_859_;
-                let _e643 = phi_860_;
-                if _e643 {
-                    phi_864_ = _e618;
+                let _e686 = phi_910_;
+                let _e688 = phi_911_;
+                if _e688 {
+                    phi_915_ = _e663;
                 } else {
-                    phi_864_ = _e641;
+                    phi_915_ = _e686;
                 }
-                let _e645 = phi_864_;
-                if (_e619 > -8388608f) {
-                    let _e657 = f32(select(0i, select(select(i32(_e619), i32(-2147483648), (_e619 < bitcast<f32>(3472883712u))), 2147483647i, (_e619 > bitcast<f32>(1325400063u))), (_e619 == _e619)));
-                    if (_e657 > _e619) {
-                        phi_884_ = 1f;
+                let _e690 = phi_915_;
+                if (_e664 > -8388608f) {
+                    let _e702 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e702 > _e664) {
+                        phi_935_ = 1f;
                     } else {
-                        phi_884_ = 0f;
+                        phi_935_ = 0f;
                     }
-                    let _e660 = phi_884_;
-                    if (_e619 < 8388608f) {
-                        phi_889_ = (_e657 - _e660);
-                        phi_890_ = false;
+                    let _e705 = phi_935_;
+                    if (_e664 < 8388608f) {
+                        phi_940_ = (_e702 - _e705);
+                        phi_941_ = false;
                     } else {
-                        phi_889_ = f32();
-                        phi_890_ = true;
+                        phi_940_ = f32();
+                        phi_941_ = true;
                     }
-                    let _e663 = phi_889_;
-                    let _e665 = phi_890_;
-                    phi_891_ = _e663;
-                    phi_892_ = _e665;
+                    let _e708 = phi_940_;
+                    let _e710 = phi_941_;
+                    phi_942_ = _e708;
+                    phi_943_ = _e710;
                 } else {
-                    phi_891_ = f32();
-                    phi_892_ = true;
+                    phi_942_ = f32();
+                    phi_943_ = true;
                 }
-                let _e667 = phi_891_;
-                let _e669 = phi_892_;
-                if _e669 {
-                    phi_896_ = _e619;
+                let _e712 = phi_942_;
+                let _e714 = phi_943_;
+                if _e714 {
+                    phi_947_ = _e664;
                 } else {
-                    phi_896_ = _e667;
+                    phi_947_ = _e712;
                 }
-                let _e671 = phi_896_;
-                let _e672 = (_e618 - _e645);
-                let _e673 = (_e619 - _e671);
-                let _e682 = select(0i, select(select(i32(_e645), i32(-2147483648), (_e645 < bitcast<f32>(3472883712u))), 2147483647i, (_e645 > bitcast<f32>(1325400063u))), (_e645 == _e645));
-                let _e691 = select(0i, select(select(i32(_e671), i32(-2147483648), (_e671 < bitcast<f32>(3472883712u))), 2147483647i, (_e671 > bitcast<f32>(1325400063u))), (_e671 == _e671));
-                let _e702 = p.member.test;
-                let _e703 = _lt_math_sm_Sm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e702);
-                let _e705 = p.member.map_size;
-                let _e707 = local_3;
-                local = _e703;
-                let _e710 = ((_e707.level * _e705) * _e705);
-                let _e712 = (bitcast<i32>(_e705) - 1i);
-                if (_e682 > 0i) {
-                    phi_945_ = _e682;
-                } else {
-                    phi_945_ = 0i;
-                }
-                let _e715 = phi_945_;
-                if (_e691 > 0i) {
-                    phi_950_ = _e691;
-                } else {
-                    phi_950_ = 0i;
-                }
-                let _e718 = phi_950_;
-                if (_e715 < _e712) {
-                    phi_955_ = _e715;
-                } else {
-                    phi_955_ = _e712;
-                }
-                let _e721 = phi_955_;
-                if (_e718 < _e712) {
-                    phi_960_ = _e718;
-                } else {
-                    phi_960_ = _e712;
-                }
-                let _e724 = phi_960_;
-                let _e725 = bitcast<u32>(_e721);
-                let _e727 = (_e682 + 1i);
-                let _e728 = (_e691 + 1i);
+                let _e716 = phi_947_;
+                let _e717 = (_e663 - _e690);
+                let _e718 = (_e664 - _e716);
+                let _e727 = select(0i, select(select(i32(_e690), i32(-2147483648), (_e690 < bitcast<f32>(3472883712u))), 2147483647i, (_e690 > bitcast<f32>(1325400063u))), (_e690 == _e690));
+                let _e736 = select(0i, select(select(i32(_e716), i32(-2147483648), (_e716 < bitcast<f32>(3472883712u))), 2147483647i, (_e716 > bitcast<f32>(1325400063u))), (_e716 == _e716));
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_sm_Sm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_3;
+                local = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
                 if (_e727 > 0i) {
-                    phi_969_ = _e727;
+                    phi_996_ = _e727;
                 } else {
-                    phi_969_ = 0i;
+                    phi_996_ = 0i;
                 }
-                let _e731 = phi_969_;
-                if (_e728 > 0i) {
-                    phi_974_ = _e728;
+                let _e760 = phi_996_;
+                if (_e736 > 0i) {
+                    phi_1001_ = _e736;
                 } else {
-                    phi_974_ = 0i;
+                    phi_1001_ = 0i;
                 }
-                let _e734 = phi_974_;
-                if (_e731 < _e712) {
-                    phi_979_ = _e731;
+                let _e763 = phi_1001_;
+                if (_e760 < _e757) {
+                    phi_1006_ = _e760;
                 } else {
-                    phi_979_ = _e712;
+                    phi_1006_ = _e757;
                 }
-                let _e737 = phi_979_;
-                if (_e734 < _e712) {
-                    phi_984_ = _e734;
+                let _e766 = phi_1006_;
+                if (_e763 < _e757) {
+                    phi_1011_ = _e763;
                 } else {
-                    phi_984_ = _e712;
+                    phi_1011_ = _e757;
                 }
-                let _e740 = phi_984_;
-                let _e741 = bitcast<u32>(_e737);
-                let _e743 = (bitcast<u32>(_e724) * _e705);
-                let _e744 = (bitcast<u32>(_e740) * _e705);
-                let _e749 = ((_e743 + _e725) + _e710);
-                let _e750 = ((_e743 + _e741) + _e710);
-                let _e751 = ((_e744 + _e725) + _e710);
-                let _e752 = ((_e744 + _e741) + _e710);
-                if (_e749 < _e47) {
+                let _e769 = phi_1011_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e727 + 1i);
+                let _e773 = (_e736 + 1i);
+                if (_e772 > 0i) {
+                    phi_1020_ = _e772;
+                } else {
+                    phi_1020_ = 0i;
+                }
+                let _e776 = phi_1020_;
+                if (_e773 > 0i) {
+                    phi_1025_ = _e773;
+                } else {
+                    phi_1025_ = 0i;
+                }
+                let _e779 = phi_1025_;
+                if (_e776 < _e757) {
+                    phi_1030_ = _e776;
+                } else {
+                    phi_1030_ = _e757;
+                }
+                let _e782 = phi_1030_;
+                if (_e779 < _e757) {
+                    phi_1035_ = _e779;
+                } else {
+                    phi_1035_ = _e757;
+                }
+                let _e785 = phi_1035_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e47) {
                 } else {
                     return;
                 }
-                let _e756 = map.member[(0u + _e749)];
-                if (_e750 < _e47) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e47) {
                 } else {
                     return;
                 }
-                let _e760 = map.member[(0u + _e750)];
-                if (_e751 < _e47) {
+                let _e805 = map.member[(0u + _e795)];
+                if (_e796 < _e47) {
                 } else {
                     return;
                 }
-                let _e764 = map.member[(0u + _e751)];
-                if (_e752 < _e47) {
+                let _e809 = map.member[(0u + _e796)];
+                if (_e797 < _e47) {
                 } else {
                     return;
                 }
-                let _e768 = map.member[(0u + _e752)];
-                let _e770 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e756, _e760, _e764, _e768), vec4<f32>(((1f - _e672) * (1f - _e673)), (_e672 * (1f - _e673)), ((1f - _e672) * _e673), (_e672 * _e673)), _e608);
-                let _e772 = p.member.fade_uv;
-                if (_e772 > 0f) {
-                    let _e775 = local_4;
-                    if ((_e775.level + 1u) == _e65) {
-                        let _e784 = p.member.fade_uv;
-                        let _e786 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e374.point.uv.x, (1f - _e374.point.uv.x));
-                        let _e788 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e374.point.uv.y, (1f - _e374.point.uv.y));
-                        let _e789 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e786, _e788);
-                        if (_e789 < _e784) {
-                            phi_1056_ = (1f - ((1f - _e770) * (_e789 / _e784)));
-                        } else {
-                            phi_1056_ = _e770;
-                        }
-                        let _e796 = phi_1056_;
-                        phi_1058_ = evaluate_Verdict(_e796, false);
-                        phi_1059_ = false;
-                    } else {
-                        phi_1058_ = evaluate_Verdict();
-                        phi_1059_ = true;
-                    }
-                    let _e799 = phi_1058_;
-                    let _e801 = phi_1059_;
-                    phi_1060_ = _e799;
-                    phi_1061_ = _e801;
-                } else {
-                    phi_1060_ = evaluate_Verdict();
-                    phi_1061_ = true;
-                }
-                let _e803 = phi_1060_;
-                let _e805 = phi_1061_;
-                if _e805 {
-                    phi_1066_ = evaluate_Verdict(_e770, false);
-                    phi_1067_ = false;
-                } else {
-                    phi_1066_ = evaluate_Verdict();
-                    phi_1067_ = true;
-                }
-                let _e808 = phi_1066_;
-                let _e810 = phi_1067_;
-                phi_1069_ = _e808;
-                phi_1070_ = _e803;
-                phi_1071_ = _e810;
+                let _e813 = map.member[(0u + _e797)];
+                let _e815 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e801, _e805, _e809, _e813), vec4<f32>(((1f - _e717) * (1f - _e718)), (_e717 * (1f - _e718)), ((1f - _e717) * _e718), (_e717 * _e718)), _e653);
+                phi_1080_ = evaluate_Verdict(_e815, false);
+                phi_1081_ = evaluate_Verdict();
+                phi_1082_ = false;
             } else {
-                phi_1069_ = evaluate_Verdict();
-                phi_1070_ = evaluate_Verdict(1f, false);
-                phi_1071_ = true;
+                phi_1080_ = evaluate_Verdict();
+                phi_1081_ = evaluate_Verdict(1f, false);
+                phi_1082_ = true;
             }
-            let _e813 = phi_1069_;
-            let _e815 = phi_1070_;
-            let _e817 = phi_1071_;
-            if _e817 {
-            }
-            phi_1075_ = _e815;
-            phi_1076_ = _e813;
-            phi_1077_ = _e817;
+            let _e819 = phi_1080_;
+            let _e821 = phi_1081_;
+            let _e823 = phi_1082_;
+            phi_1083_ = _e821;
+            phi_1084_ = _e819;
+            phi_1085_ = _e823;
         }
-        let _e819 = phi_1075_;
-        let _e821 = phi_1076_;
-        let _e823 = phi_1077_;
-        if _e823 {
-            phi_1081_ = _e819;
+        let _e825 = phi_1083_;
+        let _e827 = phi_1084_;
+        let _e829 = phi_1085_;
+        if _e829 {
+            phi_1089_ = _e825;
         } else {
-            phi_1081_ = _e821;
+            phi_1089_ = _e827;
         }
-        let _e825 = phi_1081_;
+        let _e831 = phi_1089_;
         if (_e59.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e59.first_primitive)] = _e825.visibility;
+        visibility.member[(0u + _e59.first_primitive)] = _e831.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_28 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,18 +52,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_32 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -67,43 +76,43 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_32;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(2) 
-var<storage> map: type_28;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_129_: lt_bvh_traverse_Tree;
-    var phi_130_: bool;
-    var phi_131_: lt_bvh_traverse_Tree;
-    var phi_132_: bool;
-    var phi_137_: lt_bvh_traverse_Tree;
+    var phi_134_: lt_bvh_traverse_Tree;
+    var phi_135_: bool;
+    var phi_136_: lt_bvh_traverse_Tree;
+    var phi_137_: bool;
+    var phi_142_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_129_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_130_ = false;
+            phi_134_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_135_ = false;
         } else {
-            phi_129_ = lt_bvh_traverse_Tree();
-            phi_130_ = true;
+            phi_134_ = lt_bvh_traverse_Tree();
+            phi_135_ = true;
         }
-        let _e47 = phi_129_;
-        let _e49 = phi_130_;
-        phi_131_ = _e47;
-        phi_132_ = _e49;
+        let _e47 = phi_134_;
+        let _e49 = phi_135_;
+        phi_136_ = _e47;
+        phi_137_ = _e49;
     } else {
-        phi_131_ = lt_bvh_traverse_Tree();
-        phi_132_ = true;
+        phi_136_ = lt_bvh_traverse_Tree();
+        phi_137_ = true;
     }
-    let _e51 = phi_131_;
-    let _e53 = phi_132_;
+    let _e51 = phi_136_;
+    let _e53 = phi_137_;
     if _e53 {
-        phi_137_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_142_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_137_ = _e51;
+        phi_142_ = _e51;
     }
-    let _e58 = phi_137_;
+    let _e58 = phi_142_;
     return lt_bvh_traverse_Tree(_e58.root, _e58.first_primitive);
 }
 
@@ -112,137 +121,143 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_734_: f32;
-    var phi_735_: f32;
-    var phi_736_: f32;
-    var phi_754_: bool;
-    var phi_758_: f32;
-    var phi_770_: bool;
-    var phi_777_: f32;
-    var phi_792_: f32;
-    var phi_793_: f32;
-    var phi_794_: f32;
+    var phi_786_: f32;
+    var phi_787_: f32;
+    var phi_788_: f32;
+    var phi_806_: bool;
+    var phi_810_: f32;
+    var phi_822_: bool;
+    var phi_829_: f32;
+    var phi_844_: f32;
+    var phi_845_: f32;
+    var phi_846_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_736_ = param_6;
+        phi_788_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_735_ = 0f;
+            phi_787_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_734_ = 1f;
+                phi_786_ = 1f;
             } else {
-                phi_734_ = param_6;
+                phi_786_ = param_6;
             }
-            let _e43 = phi_734_;
-            phi_735_ = _e43;
+            let _e43 = phi_786_;
+            phi_787_ = _e43;
         }
-        let _e45 = phi_735_;
-        phi_736_ = _e45;
+        let _e45 = phi_787_;
+        phi_788_ = _e45;
     }
-    let _e47 = phi_736_;
+    let _e47 = phi_788_;
     let _e50 = (*param_4);
     let _e54 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
     if ((bitcast<u32>(_e50) & 2147483647u) > 2139095040u) {
-        phi_754_ = true;
+        phi_806_ = true;
     } else {
         let _e58 = (_e50 > _e54);
         if _e58 {
         }
-        phi_754_ = _e58;
+        phi_806_ = _e58;
     }
-    let _e60 = phi_754_;
+    let _e60 = phi_806_;
     if _e60 {
-        phi_758_ = _e50;
+        phi_810_ = _e50;
     } else {
-        phi_758_ = _e54;
+        phi_810_ = _e54;
     }
-    let _e62 = phi_758_;
+    let _e62 = phi_810_;
     let _e63 = (_e47 - param_5.x);
     if (_e63 <= 0f) {
         let _e67 = ((bitcast<u32>(_e62) & 2147483647u) > 2139095040u);
         if _e67 {
         }
-        phi_770_ = _e67;
+        phi_822_ = _e67;
     } else {
-        phi_770_ = true;
+        phi_822_ = true;
     }
-    let _e69 = phi_770_;
+    let _e69 = phi_822_;
     if _e69 {
-        phi_777_ = (_e62 / (_e62 + (_e63 * _e63)));
+        phi_829_ = (_e62 / (_e62 + (_e63 * _e63)));
     } else {
-        phi_777_ = 1f;
+        phi_829_ = 1f;
     }
-    let _e74 = phi_777_;
+    let _e74 = phi_829_;
     if ((bitcast<u32>(_e74) & 2147483647u) > 2139095040u) {
-        phi_794_ = _e74;
+        phi_846_ = _e74;
     } else {
         if (_e74 < 0f) {
-            phi_793_ = 0f;
+            phi_845_ = 0f;
         } else {
             if (_e74 > 1f) {
-                phi_792_ = 1f;
+                phi_844_ = 1f;
             } else {
-                phi_792_ = _e74;
+                phi_844_ = _e74;
             }
-            let _e81 = phi_792_;
-            phi_793_ = _e81;
+            let _e81 = phi_844_;
+            phi_845_ = _e81;
         }
-        let _e83 = phi_793_;
-        phi_794_ = _e83;
+        let _e83 = phi_845_;
+        phi_846_ = _e83;
     }
-    let _e85 = phi_794_;
+    let _e85 = phi_846_;
     return _e85;
 }
 
 fn function_() {
     var local: f32;
-    var phi_200_: bool;
-    var phi_201_: bool;
-    var phi_202_: bool;
-    var phi_203_: bool;
+    var phi_204_: bool;
+    var phi_205_: bool;
+    var phi_206_: bool;
     var phi_207_: bool;
-    var phi_251_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_255_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_329_: bool;
-    var phi_338_: bool;
-    var phi_347_: bool;
-    var phi_348_: bool;
-    var phi_349_: bool;
-    var phi_350_: bool;
-    var phi_351_: bool;
-    var phi_352_: bool;
-    var phi_353_: bool;
-    var phi_357_: bool;
-    var phi_447_: f32;
-    var phi_450_: f32;
-    var phi_479_: f32;
-    var phi_484_: f32;
-    var phi_485_: bool;
-    var phi_486_: f32;
-    var phi_487_: bool;
-    var phi_491_: f32;
-    var phi_511_: f32;
-    var phi_516_: f32;
-    var phi_517_: bool;
-    var phi_518_: f32;
-    var phi_519_: bool;
-    var phi_523_: f32;
-    var phi_571_: i32;
-    var phi_576_: i32;
-    var phi_581_: i32;
-    var phi_586_: i32;
-    var phi_595_: i32;
-    var phi_600_: i32;
-    var phi_605_: i32;
-    var phi_610_: i32;
-    var phi_699_: evaluate_Verdict;
-    var phi_700_: evaluate_Verdict;
-    var phi_701_: bool;
-    var phi_702_: evaluate_Verdict;
-    var phi_703_: evaluate_Verdict;
-    var phi_704_: bool;
-    var phi_708_: evaluate_Verdict;
+    var phi_211_: bool;
+    var phi_281_: bool;
+    var phi_282_: bool;
+    var phi_293_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_294_: bool;
+    var phi_295_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_296_: bool;
+    var phi_303_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_307_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_381_: bool;
+    var phi_390_: bool;
+    var phi_399_: bool;
+    var phi_400_: bool;
+    var phi_401_: bool;
+    var phi_402_: bool;
+    var phi_403_: bool;
+    var phi_404_: bool;
+    var phi_405_: bool;
+    var phi_409_: bool;
+    var phi_499_: f32;
+    var phi_502_: f32;
+    var phi_531_: f32;
+    var phi_536_: f32;
+    var phi_537_: bool;
+    var phi_538_: f32;
+    var phi_539_: bool;
+    var phi_543_: f32;
+    var phi_563_: f32;
+    var phi_568_: f32;
+    var phi_569_: bool;
+    var phi_570_: f32;
+    var phi_571_: bool;
+    var phi_575_: f32;
+    var phi_623_: i32;
+    var phi_628_: i32;
+    var phi_633_: i32;
+    var phi_638_: i32;
+    var phi_647_: i32;
+    var phi_652_: i32;
+    var phi_657_: i32;
+    var phi_662_: i32;
+    var phi_751_: evaluate_Verdict;
+    var phi_752_: evaluate_Verdict;
+    var phi_753_: bool;
+    var phi_754_: evaluate_Verdict;
+    var phi_755_: evaluate_Verdict;
+    var phi_756_: bool;
+    var phi_760_: evaluate_Verdict;
 
     let _e35 = id_1;
     let _e42 = arrayLength((&map.member));
@@ -256,323 +271,362 @@ fn function_() {
             return;
         }
         let _e61 = lt_math_OneLevel(_e57);
-        let _e63 = p.member.light;
-        let _e66 = samples.member[(0u + _e51.first_primitive)].normal[0u];
-        let _e68 = global[0u];
-        if (_e66 == _e68) {
-            let _e71 = samples.member[(0u + _e51.first_primitive)].normal[1u];
-            let _e73 = global[1u];
-            if (_e71 == _e73) {
-                let _e76 = samples.member[(0u + _e51.first_primitive)].normal[2u];
-                let _e78 = global[2u];
-                phi_200_ = (_e76 == _e78);
-                phi_201_ = false;
+        let _e65 = samples.member[(0u + _e51.first_primitive)].normal[0u];
+        let _e67 = global[0u];
+        if (_e65 == _e67) {
+            let _e70 = samples.member[(0u + _e51.first_primitive)].normal[1u];
+            let _e72 = global[1u];
+            if (_e70 == _e72) {
+                let _e75 = samples.member[(0u + _e51.first_primitive)].normal[2u];
+                let _e77 = global[2u];
+                phi_204_ = (_e75 == _e77);
+                phi_205_ = false;
             } else {
-                phi_200_ = bool();
-                phi_201_ = true;
+                phi_204_ = bool();
+                phi_205_ = true;
             }
-            let _e81 = phi_200_;
-            let _e83 = phi_201_;
-            phi_202_ = _e81;
-            phi_203_ = _e83;
+            let _e80 = phi_204_;
+            let _e82 = phi_205_;
+            phi_206_ = _e80;
+            phi_207_ = _e82;
         } else {
-            phi_202_ = bool();
-            phi_203_ = true;
+            phi_206_ = bool();
+            phi_207_ = true;
         }
-        let _e85 = phi_202_;
-        let _e87 = phi_203_;
-        if _e87 {
-            phi_207_ = false;
+        let _e84 = phi_206_;
+        let _e86 = phi_207_;
+        if _e86 {
+            phi_211_ = false;
         } else {
-            phi_207_ = _e85;
+            phi_211_ = _e84;
         }
-        let _e89 = phi_207_;
-        if !(_e89) {
-            let _e92 = samples.member[(0u + _e51.first_primitive)].normal;
-            let _e94 = samples.member[(0u + _e51.first_primitive)].position;
-            if ((((_e92.x * (_e63.x - (_e94.x * _e63.w))) + (_e92.y * (_e63.y - (_e94.y * _e63.w)))) + (_e92.z * (_e63.z - (_e94.z * _e63.w)))) > 0f) {
-                let _e118 = samples.member[(0u + _e51.first_primitive)].flags;
-                let _e126 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e132 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e126.unnamed.visibility, false), _e126.unnamed_1);
-                phi_251_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e132.unnamed, ((_e118 & 1u) == 0u));
-            } else {
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e141.unnamed.visibility, false), _e141.unnamed_1);
-                phi_251_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e147.unnamed, true);
-            }
-            let _e152 = phi_251_;
-            phi_255_ = _e152;
-        } else {
-            let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
-            phi_255_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
-        }
-        let _e169 = phi_255_;
-        if _e169.unnamed_1 {
-            phi_702_ = evaluate_Verdict(_e169.unnamed.visibility, _e169.unnamed.is_doubted);
-            phi_703_ = evaluate_Verdict();
-            phi_704_ = true;
-        } else {
-            let _e177 = samples.member[(0u + _e51.first_primitive)].position;
-            let _e195 = ((((_e61.projection.row_w.x * _e177.x) + (_e61.projection.row_w.y * _e177.y)) + (_e61.projection.row_w.z * _e177.z)) + (_e61.projection.row_w.w * 1f));
-            let _e209 = (((((_e61.projection.row_x.x * _e177.x) + (_e61.projection.row_x.y * _e177.y)) + (_e61.projection.row_x.z * _e177.z)) + (_e61.projection.row_x.w * 1f)) / _e195);
-            let _e223 = (((((_e61.projection.row_y.x * _e177.x) + (_e61.projection.row_y.y * _e177.y)) + (_e61.projection.row_y.z * _e177.z)) + (_e61.projection.row_y.w * 1f)) / _e195);
-            let _e236 = ((((_e61.projection.row_z.x * _e177.x) + (_e61.projection.row_z.y * _e177.y)) + (_e61.projection.row_z.z * _e177.z)) + (_e61.projection.row_z.w * 1f));
-            if (_e195 > 0f) {
-                if (_e209 >= 0f) {
-                    phi_329_ = (_e209 <= 1f);
+        let _e88 = phi_211_;
+        if !(_e88) {
+            let _e91 = samples.member[(0u + _e51.first_primitive)].position;
+            let _e93 = p.member.light.place;
+            let _e99 = p.member.light.place[3u];
+            let _e106 = (_e93.x - (_e91.x * _e99));
+            let _e107 = (_e93.y - (_e91.y * _e99));
+            let _e108 = (_e93.z - (_e91.z * _e99));
+            let _e110 = samples.member[(0u + _e51.first_primitive)].normal;
+            if ((((_e110.x * _e106) + (_e110.y * _e107)) + (_e110.z * _e108)) > 0f) {
+                let _e124 = (((_e106 * _e106) + (_e107 * _e107)) + (_e108 * _e108));
+                let _e126 = p.member.light.axis;
+                let _e138 = p.member.light.place[3u];
+                if (_e138 == 0f) {
+                    phi_282_ = true;
                 } else {
-                    phi_329_ = false;
-                }
-                let _e241 = phi_329_;
-                if _e241 {
-                    if (_e223 >= 0f) {
-                        phi_338_ = (_e223 <= 1f);
+                    let _e141 = p.member.light.range_squared;
+                    if (_e124 <= _e141) {
+                        let _e144 = p.member.light.cos_outer;
+                        phi_281_ = (-((((_e106 * _e126.x) + (_e107 * _e126.y)) + (_e108 * _e126.z))) >= (_e144 * sqrt(_e124)));
                     } else {
-                        phi_338_ = false;
+                        phi_281_ = false;
                     }
-                    let _e245 = phi_338_;
-                    if _e245 {
-                        if (_e236 >= 0f) {
-                            phi_347_ = (_e236 <= 1f);
+                    let _e149 = phi_281_;
+                    phi_282_ = _e149;
+                }
+                let _e151 = phi_282_;
+                if _e151 {
+                    let _e153 = samples.member[(0u + _e51.first_primitive)].flags;
+                    let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
+                    phi_293_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, ((_e153 & 1u) == 0u));
+                    phi_294_ = false;
+                } else {
+                    phi_293_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_294_ = true;
+                }
+                let _e172 = phi_293_;
+                let _e174 = phi_294_;
+                phi_295_ = _e172;
+                phi_296_ = _e174;
+            } else {
+                phi_295_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_296_ = true;
+            }
+            let _e176 = phi_295_;
+            let _e178 = phi_296_;
+            if _e178 {
+                let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e184.unnamed.visibility, false), _e184.unnamed_1);
+                phi_303_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e190.unnamed, true);
+            } else {
+                phi_303_ = _e176;
+            }
+            let _e195 = phi_303_;
+            phi_307_ = _e195;
+        } else {
+            let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e201.unnamed.visibility, false), _e201.unnamed_1);
+            phi_307_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e207.unnamed, true);
+        }
+        let _e212 = phi_307_;
+        if _e212.unnamed_1 {
+            phi_754_ = evaluate_Verdict(_e212.unnamed.visibility, _e212.unnamed.is_doubted);
+            phi_755_ = evaluate_Verdict();
+            phi_756_ = true;
+        } else {
+            let _e220 = samples.member[(0u + _e51.first_primitive)].position;
+            let _e238 = ((((_e61.projection.row_w.x * _e220.x) + (_e61.projection.row_w.y * _e220.y)) + (_e61.projection.row_w.z * _e220.z)) + (_e61.projection.row_w.w * 1f));
+            let _e252 = (((((_e61.projection.row_x.x * _e220.x) + (_e61.projection.row_x.y * _e220.y)) + (_e61.projection.row_x.z * _e220.z)) + (_e61.projection.row_x.w * 1f)) / _e238);
+            let _e266 = (((((_e61.projection.row_y.x * _e220.x) + (_e61.projection.row_y.y * _e220.y)) + (_e61.projection.row_y.z * _e220.z)) + (_e61.projection.row_y.w * 1f)) / _e238);
+            let _e279 = ((((_e61.projection.row_z.x * _e220.x) + (_e61.projection.row_z.y * _e220.y)) + (_e61.projection.row_z.z * _e220.z)) + (_e61.projection.row_z.w * 1f));
+            if (_e238 > 0f) {
+                if (_e252 >= 0f) {
+                    phi_381_ = (_e252 <= 1f);
+                } else {
+                    phi_381_ = false;
+                }
+                let _e284 = phi_381_;
+                if _e284 {
+                    if (_e266 >= 0f) {
+                        phi_390_ = (_e266 <= 1f);
+                    } else {
+                        phi_390_ = false;
+                    }
+                    let _e288 = phi_390_;
+                    if _e288 {
+                        if (_e279 >= 0f) {
+                            phi_399_ = (_e279 <= 1f);
                         } else {
-                            phi_347_ = false;
+                            phi_399_ = false;
                         }
-                        let _e249 = phi_347_;
-                        phi_348_ = _e249;
-                        phi_349_ = false;
+                        let _e292 = phi_399_;
+                        phi_400_ = _e292;
+                        phi_401_ = false;
                     } else {
-                        phi_348_ = bool();
-                        phi_349_ = true;
+                        phi_400_ = bool();
+                        phi_401_ = true;
                     }
-                    let _e251 = phi_348_;
-                    let _e253 = phi_349_;
-                    phi_350_ = _e251;
-                    phi_351_ = _e253;
+                    let _e294 = phi_400_;
+                    let _e296 = phi_401_;
+                    phi_402_ = _e294;
+                    phi_403_ = _e296;
                 } else {
-                    phi_350_ = bool();
-                    phi_351_ = true;
+                    phi_402_ = bool();
+                    phi_403_ = true;
                 }
-                let _e255 = phi_350_;
-                let _e257 = phi_351_;
-                phi_352_ = _e255;
-                phi_353_ = _e257;
+                let _e298 = phi_402_;
+                let _e300 = phi_403_;
+                phi_404_ = _e298;
+                phi_405_ = _e300;
             } else {
-                phi_352_ = bool();
-                phi_353_ = true;
+                phi_404_ = bool();
+                phi_405_ = true;
             }
-            let _e259 = phi_352_;
-            let _e261 = phi_353_;
-            if _e261 {
-                phi_357_ = false;
+            let _e302 = phi_404_;
+            let _e304 = phi_405_;
+            if _e304 {
+                phi_409_ = false;
             } else {
-                phi_357_ = _e259;
+                phi_409_ = _e302;
             }
-            let _e263 = phi_357_;
-            if _e263 {
+            let _e306 = phi_409_;
+            if _e306 {
                 if (0f > 0f) {
-                    let _e266 = samples.member[(0u + _e51.first_primitive)].normal;
-                    let _e268 = p.member.map_size;
-                    let _e338 = ((abs(((((_e57.row_x.x * _e266.x) + (_e57.row_x.y * _e266.y)) + (_e57.row_x.z * _e266.z)) / (((_e57.row_x.x * _e57.row_x.x) + (_e57.row_x.y * _e57.row_x.y)) + (_e57.row_x.z * _e57.row_x.z)))) + abs(((((_e57.row_y.x * _e266.x) + (_e57.row_y.y * _e266.y)) + (_e57.row_y.z * _e266.z)) / (((_e57.row_y.x * _e57.row_y.x) + (_e57.row_y.y * _e57.row_y.y)) + (_e57.row_y.z * _e57.row_y.z))))) / (abs(((((_e57.row_z.x * _e266.x) + (_e57.row_z.y * _e266.y)) + (_e57.row_z.z * _e266.z)) / (((_e57.row_z.x * _e57.row_z.x) + (_e57.row_z.y * _e57.row_z.y)) + (_e57.row_z.z * _e57.row_z.z)))) * f32(_e268)));
-                    if (_e338 < 0.002f) {
-                        phi_447_ = _e338;
+                    let _e309 = samples.member[(0u + _e51.first_primitive)].normal;
+                    let _e311 = p.member.map_size;
+                    let _e381 = ((abs(((((_e57.row_x.x * _e309.x) + (_e57.row_x.y * _e309.y)) + (_e57.row_x.z * _e309.z)) / (((_e57.row_x.x * _e57.row_x.x) + (_e57.row_x.y * _e57.row_x.y)) + (_e57.row_x.z * _e57.row_x.z)))) + abs(((((_e57.row_y.x * _e309.x) + (_e57.row_y.y * _e309.y)) + (_e57.row_y.z * _e309.z)) / (((_e57.row_y.x * _e57.row_y.x) + (_e57.row_y.y * _e57.row_y.y)) + (_e57.row_y.z * _e57.row_y.z))))) / (abs(((((_e57.row_z.x * _e309.x) + (_e57.row_z.y * _e309.y)) + (_e57.row_z.z * _e309.z)) / (((_e57.row_z.x * _e57.row_z.x) + (_e57.row_z.y * _e57.row_z.y)) + (_e57.row_z.z * _e57.row_z.z)))) * f32(_e311)));
+                    if (_e381 < 0.002f) {
+                        phi_499_ = _e381;
                     } else {
-                        phi_447_ = 0.002f;
+                        phi_499_ = 0.002f;
                     }
-                    let _e341 = phi_447_;
-                    phi_450_ = (_e236 - (0f * _e341));
+                    let _e384 = phi_499_;
+                    phi_502_ = (_e279 - (0f * _e384));
                 } else {
-                    phi_450_ = _e236;
+                    phi_502_ = _e279;
                 }
-                let _e345 = phi_450_;
-                let _e347 = p.member.map_size;
-                let _e348 = f32(_e347);
-                let _e351 = ((_e209 * _e348) - 0.5f);
-                let _e352 = ((_e223 * _e348) - 0.5f);
-                if (_e351 > -8388608f) {
-                    let _e364 = f32(select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < bitcast<f32>(3472883712u))), 2147483647i, (_e351 > bitcast<f32>(1325400063u))), (_e351 == _e351)));
-                    if (_e364 > _e351) {
-                        phi_479_ = 1f;
+                let _e388 = phi_502_;
+                let _e390 = p.member.map_size;
+                let _e391 = f32(_e390);
+                let _e394 = ((_e252 * _e391) - 0.5f);
+                let _e395 = ((_e266 * _e391) - 0.5f);
+                if (_e394 > -8388608f) {
+                    let _e407 = f32(select(0i, select(select(i32(_e394), i32(-2147483648), (_e394 < bitcast<f32>(3472883712u))), 2147483647i, (_e394 > bitcast<f32>(1325400063u))), (_e394 == _e394)));
+                    if (_e407 > _e394) {
+                        phi_531_ = 1f;
                     } else {
-                        phi_479_ = 0f;
+                        phi_531_ = 0f;
                     }
-                    let _e367 = phi_479_;
-                    if (_e351 < 8388608f) {
-                        phi_484_ = (_e364 - _e367);
-                        phi_485_ = false;
+                    let _e410 = phi_531_;
+                    if (_e394 < 8388608f) {
+                        phi_536_ = (_e407 - _e410);
+                        phi_537_ = false;
                     } else {
-                        phi_484_ = f32();
-                        phi_485_ = true;
+                        phi_536_ = f32();
+                        phi_537_ = true;
                     }
-                    let _e370 = phi_484_;
-                    let _e372 = phi_485_;
-                    phi_486_ = _e370;
-                    phi_487_ = _e372;
+                    let _e413 = phi_536_;
+                    let _e415 = phi_537_;
+                    phi_538_ = _e413;
+                    phi_539_ = _e415;
                 } else {
-                    phi_486_ = f32();
-                    phi_487_ = true;
+                    phi_538_ = f32();
+                    phi_539_ = true;
                 }
-                let _e374 = phi_486_;
-                let _e376 = phi_487_;
-                if _e376 {
-                    phi_491_ = _e351;
+                let _e417 = phi_538_;
+                let _e419 = phi_539_;
+                if _e419 {
+                    phi_543_ = _e394;
                 } else {
-                    phi_491_ = _e374;
+                    phi_543_ = _e417;
                 }
-                let _e378 = phi_491_;
-                if (_e352 > -8388608f) {
-                    let _e390 = f32(select(0i, select(select(i32(_e352), i32(-2147483648), (_e352 < bitcast<f32>(3472883712u))), 2147483647i, (_e352 > bitcast<f32>(1325400063u))), (_e352 == _e352)));
-                    if (_e390 > _e352) {
-                        phi_511_ = 1f;
+                let _e421 = phi_543_;
+                if (_e395 > -8388608f) {
+                    let _e433 = f32(select(0i, select(select(i32(_e395), i32(-2147483648), (_e395 < bitcast<f32>(3472883712u))), 2147483647i, (_e395 > bitcast<f32>(1325400063u))), (_e395 == _e395)));
+                    if (_e433 > _e395) {
+                        phi_563_ = 1f;
                     } else {
-                        phi_511_ = 0f;
+                        phi_563_ = 0f;
                     }
-                    let _e393 = phi_511_;
-                    if (_e352 < 8388608f) {
-                        phi_516_ = (_e390 - _e393);
-                        phi_517_ = false;
+                    let _e436 = phi_563_;
+                    if (_e395 < 8388608f) {
+                        phi_568_ = (_e433 - _e436);
+                        phi_569_ = false;
                     } else {
-                        phi_516_ = f32();
-                        phi_517_ = true;
+                        phi_568_ = f32();
+                        phi_569_ = true;
                     }
-                    let _e396 = phi_516_;
-                    let _e398 = phi_517_;
-                    phi_518_ = _e396;
-                    phi_519_ = _e398;
+                    let _e439 = phi_568_;
+                    let _e441 = phi_569_;
+                    phi_570_ = _e439;
+                    phi_571_ = _e441;
                 } else {
-                    phi_518_ = f32();
-                    phi_519_ = true;
+                    phi_570_ = f32();
+                    phi_571_ = true;
                 }
-                let _e400 = phi_518_;
-                let _e402 = phi_519_;
-                if _e402 {
-                    phi_523_ = _e352;
+                let _e443 = phi_570_;
+                let _e445 = phi_571_;
+                if _e445 {
+                    phi_575_ = _e395;
                 } else {
-                    phi_523_ = _e400;
+                    phi_575_ = _e443;
                 }
-                let _e404 = phi_523_;
-                let _e405 = (_e351 - _e378);
-                let _e406 = (_e352 - _e404);
-                let _e415 = select(0i, select(select(i32(_e378), i32(-2147483648), (_e378 < bitcast<f32>(3472883712u))), 2147483647i, (_e378 > bitcast<f32>(1325400063u))), (_e378 == _e378));
-                let _e424 = select(0i, select(select(i32(_e404), i32(-2147483648), (_e404 < bitcast<f32>(3472883712u))), 2147483647i, (_e404 > bitcast<f32>(1325400063u))), (_e404 == _e404));
-                let _e427 = ((1f - _e405) * (1f - _e406));
-                let _e429 = (_e405 * (1f - _e406));
-                let _e431 = ((1f - _e405) * _e406);
-                let _e432 = (_e405 * _e406);
-                let _e434 = p.member.test;
-                let _e435 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e434);
-                let _e437 = p.member.map_size;
-                local = _e435;
-                let _e439 = ((0u * _e437) * _e437);
-                let _e441 = (bitcast<i32>(_e437) - 1i);
-                if (_e415 > 0i) {
-                    phi_571_ = _e415;
+                let _e447 = phi_575_;
+                let _e448 = (_e394 - _e421);
+                let _e449 = (_e395 - _e447);
+                let _e458 = select(0i, select(select(i32(_e421), i32(-2147483648), (_e421 < bitcast<f32>(3472883712u))), 2147483647i, (_e421 > bitcast<f32>(1325400063u))), (_e421 == _e421));
+                let _e467 = select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447));
+                let _e470 = ((1f - _e448) * (1f - _e449));
+                let _e472 = (_e448 * (1f - _e449));
+                let _e474 = ((1f - _e448) * _e449);
+                let _e475 = (_e448 * _e449);
+                let _e477 = p.member.test;
+                let _e478 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e477);
+                let _e480 = p.member.map_size;
+                local = _e478;
+                let _e482 = ((0u * _e480) * _e480);
+                let _e484 = (bitcast<i32>(_e480) - 1i);
+                if (_e458 > 0i) {
+                    phi_623_ = _e458;
                 } else {
-                    phi_571_ = 0i;
+                    phi_623_ = 0i;
                 }
-                let _e444 = phi_571_;
-                if (_e424 > 0i) {
-                    phi_576_ = _e424;
+                let _e487 = phi_623_;
+                if (_e467 > 0i) {
+                    phi_628_ = _e467;
                 } else {
-                    phi_576_ = 0i;
+                    phi_628_ = 0i;
                 }
-                let _e447 = phi_576_;
-                if (_e444 < _e441) {
-                    phi_581_ = _e444;
+                let _e490 = phi_628_;
+                if (_e487 < _e484) {
+                    phi_633_ = _e487;
                 } else {
-                    phi_581_ = _e441;
+                    phi_633_ = _e484;
                 }
-                let _e450 = phi_581_;
-                if (_e447 < _e441) {
-                    phi_586_ = _e447;
+                let _e493 = phi_633_;
+                if (_e490 < _e484) {
+                    phi_638_ = _e490;
                 } else {
-                    phi_586_ = _e441;
+                    phi_638_ = _e484;
                 }
-                let _e453 = phi_586_;
-                let _e454 = bitcast<u32>(_e450);
-                let _e456 = (_e415 + 1i);
-                let _e457 = (_e424 + 1i);
-                if (_e456 > 0i) {
-                    phi_595_ = _e456;
+                let _e496 = phi_638_;
+                let _e497 = bitcast<u32>(_e493);
+                let _e499 = (_e458 + 1i);
+                let _e500 = (_e467 + 1i);
+                if (_e499 > 0i) {
+                    phi_647_ = _e499;
                 } else {
-                    phi_595_ = 0i;
+                    phi_647_ = 0i;
                 }
-                let _e460 = phi_595_;
-                if (_e457 > 0i) {
-                    phi_600_ = _e457;
+                let _e503 = phi_647_;
+                if (_e500 > 0i) {
+                    phi_652_ = _e500;
                 } else {
-                    phi_600_ = 0i;
+                    phi_652_ = 0i;
                 }
-                let _e463 = phi_600_;
-                if (_e460 < _e441) {
-                    phi_605_ = _e460;
+                let _e506 = phi_652_;
+                if (_e503 < _e484) {
+                    phi_657_ = _e503;
                 } else {
-                    phi_605_ = _e441;
+                    phi_657_ = _e484;
                 }
-                let _e466 = phi_605_;
-                if (_e463 < _e441) {
-                    phi_610_ = _e463;
+                let _e509 = phi_657_;
+                if (_e506 < _e484) {
+                    phi_662_ = _e506;
                 } else {
-                    phi_610_ = _e441;
+                    phi_662_ = _e484;
                 }
-                let _e469 = phi_610_;
-                let _e470 = bitcast<u32>(_e466);
-                let _e472 = (bitcast<u32>(_e453) * _e437);
-                let _e473 = (bitcast<u32>(_e469) * _e437);
-                let _e478 = ((_e472 + _e454) + _e439);
-                let _e479 = ((_e472 + _e470) + _e439);
-                let _e480 = ((_e473 + _e454) + _e439);
-                let _e481 = ((_e473 + _e470) + _e439);
-                if (_e478 < _e42) {
+                let _e512 = phi_662_;
+                let _e513 = bitcast<u32>(_e509);
+                let _e515 = (bitcast<u32>(_e496) * _e480);
+                let _e516 = (bitcast<u32>(_e512) * _e480);
+                let _e521 = ((_e515 + _e497) + _e482);
+                let _e522 = ((_e515 + _e513) + _e482);
+                let _e523 = ((_e516 + _e497) + _e482);
+                let _e524 = ((_e516 + _e513) + _e482);
+                if (_e521 < _e42) {
                 } else {
                     return;
                 }
-                let _e485 = map.member[(0u + _e478)];
-                if (_e479 < _e42) {
+                let _e528 = map.member[(0u + _e521)];
+                if (_e522 < _e42) {
                 } else {
                     return;
                 }
-                let _e497 = map.member[(0u + _e479)];
-                if (_e480 < _e42) {
+                let _e540 = map.member[(0u + _e522)];
+                if (_e523 < _e42) {
                 } else {
                     return;
                 }
-                let _e513 = map.member[(0u + _e480)];
-                if (_e481 < _e42) {
+                let _e556 = map.member[(0u + _e523)];
+                if (_e524 < _e42) {
                 } else {
                     return;
                 }
-                let _e529 = map.member[(0u + _e481)];
-                let _e543 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e485.x * _e427) + (_e497.x * _e429)) + (_e513.x * _e431)) + (_e529.x * _e432)), ((((_e485.y * _e427) + (_e497.y * _e429)) + (_e513.y * _e431)) + (_e529.y * _e432)), ((((_e485.z * _e427) + (_e497.z * _e429)) + (_e513.z * _e431)) + (_e529.z * _e432)), ((((_e485.w * _e427) + (_e497.w * _e429)) + (_e513.w * _e431)) + (_e529.w * _e432))), _e345);
-                phi_699_ = evaluate_Verdict(_e543, false);
-                phi_700_ = evaluate_Verdict();
-                phi_701_ = false;
+                let _e572 = map.member[(0u + _e524)];
+                let _e586 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e528.x * _e470) + (_e540.x * _e472)) + (_e556.x * _e474)) + (_e572.x * _e475)), ((((_e528.y * _e470) + (_e540.y * _e472)) + (_e556.y * _e474)) + (_e572.y * _e475)), ((((_e528.z * _e470) + (_e540.z * _e472)) + (_e556.z * _e474)) + (_e572.z * _e475)), ((((_e528.w * _e470) + (_e540.w * _e472)) + (_e556.w * _e474)) + (_e572.w * _e475))), _e388);
+                phi_751_ = evaluate_Verdict(_e586, false);
+                phi_752_ = evaluate_Verdict();
+                phi_753_ = false;
             } else {
-                phi_699_ = evaluate_Verdict();
-                phi_700_ = evaluate_Verdict(1f, false);
-                phi_701_ = true;
+                phi_751_ = evaluate_Verdict();
+                phi_752_ = evaluate_Verdict(1f, false);
+                phi_753_ = true;
             }
-            let _e547 = phi_699_;
-            let _e549 = phi_700_;
-            let _e551 = phi_701_;
-            phi_702_ = _e549;
-            phi_703_ = _e547;
-            phi_704_ = _e551;
+            let _e590 = phi_751_;
+            let _e592 = phi_752_;
+            let _e594 = phi_753_;
+            phi_754_ = _e592;
+            phi_755_ = _e590;
+            phi_756_ = _e594;
         }
-        let _e553 = phi_702_;
-        let _e555 = phi_703_;
-        let _e557 = phi_704_;
-        if _e557 {
-            phi_708_ = _e553;
+        let _e596 = phi_754_;
+        let _e598 = phi_755_;
+        let _e600 = phi_756_;
+        if _e600 {
+            phi_760_ = _e596;
         } else {
-            phi_708_ = _e555;
+            phi_760_ = _e598;
         }
-        let _e559 = phi_708_;
+        let _e602 = phi_760_;
         if (_e51.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e51.first_primitive)] = _e559.visibility;
+        visibility.member[(0u + _e51.first_primitive)] = _e602.visibility;
     }
     return;
 }

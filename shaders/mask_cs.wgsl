@@ -11,10 +11,19 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
-    light: vec4<f32>,
+    light: abi_LightParams,
     frame: u32,
     still_pattern: u32,
     moving_pattern: u32,
@@ -76,7 +85,7 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_40 {
+struct type_43 {
     member: array<atomic<u32>>,
 }
 
@@ -93,225 +102,231 @@ var<storage, read_write> bits: type_17;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_21;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_40;
+var<storage, read_write> list: type_43;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_142_: lt_bvh_traverse_Tree;
-    var phi_143_: bool;
-    var phi_144_: lt_bvh_traverse_Tree;
-    var phi_145_: bool;
+    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_149_: bool;
     var phi_150_: lt_bvh_traverse_Tree;
+    var phi_151_: bool;
+    var phi_156_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_142_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_143_ = false;
+            phi_148_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_149_ = false;
         } else {
-            phi_142_ = lt_bvh_traverse_Tree();
-            phi_143_ = true;
+            phi_148_ = lt_bvh_traverse_Tree();
+            phi_149_ = true;
         }
-        let _e52 = phi_142_;
-        let _e54 = phi_143_;
-        phi_144_ = _e52;
-        phi_145_ = _e54;
+        let _e52 = phi_148_;
+        let _e54 = phi_149_;
+        phi_150_ = _e52;
+        phi_151_ = _e54;
     } else {
-        phi_144_ = lt_bvh_traverse_Tree();
-        phi_145_ = true;
+        phi_150_ = lt_bvh_traverse_Tree();
+        phi_151_ = true;
     }
-    let _e56 = phi_144_;
-    let _e58 = phi_145_;
+    let _e56 = phi_150_;
+    let _e58 = phi_151_;
     if _e58 {
-        phi_150_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_156_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_150_ = _e56;
+        phi_156_ = _e56;
     }
-    let _e63 = phi_150_;
+    let _e63 = phi_156_;
     return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_168_: vec2<i32>;
+    var phi_174_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_168_ = vec2(0i);
+            phi_174_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_168_ = vec2<i32>(0i, -1i);
+            phi_174_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_168_ = vec2<i32>(-1i, 0i);
+            phi_174_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_168_ = vec2<i32>(1i, 0i);
+            phi_174_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_168_ = vec2<i32>(0i, 1i);
+            phi_174_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e48 = phi_168_;
+    let _e48 = phi_174_;
     return vec2<i32>(_e48.x, _e48.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_186_: vec2<i32>;
+    var phi_192_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_186_ = vec2(0i);
+            phi_192_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_186_ = vec2(-1i);
+            phi_192_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_186_ = vec2<i32>(1i, -1i);
+            phi_192_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_186_ = vec2<i32>(-1i, 1i);
+            phi_192_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_186_ = vec2(1i);
+            phi_192_ = vec2(1i);
             break;
         }
     }
-    let _e48 = phi_186_;
+    let _e48 = phi_192_;
     return vec2<i32>(_e48.x, _e48.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_205_: vec2<i32>;
+    var phi_211_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e42 = lt_mask_pattern_plus(param_5);
-        phi_205_ = vec2<i32>(_e42.x, _e42.y);
+        phi_211_ = vec2<i32>(_e42.x, _e42.y);
     } else {
         let _e46 = lt_mask_pattern_cross(param_5);
-        phi_205_ = vec2<i32>(_e46.x, _e46.y);
+        phi_211_ = vec2<i32>(_e46.x, _e46.y);
     }
-    let _e51 = phi_205_;
+    let _e51 = phi_211_;
     return vec2<i32>(_e51.x, _e51.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_230_: vec2<i32>;
+    var phi_236_: vec2<i32>;
 
     let _e40 = (param_7 % 13u);
     switch bitcast<i32>(_e40) {
         case 9: {
-            phi_230_ = vec2<i32>(0i, -2i);
+            phi_236_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_230_ = vec2<i32>(-2i, 0i);
+            phi_236_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_230_ = vec2<i32>(2i, 0i);
+            phi_236_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_230_ = vec2<i32>(0i, 2i);
+            phi_236_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_230_ = vec2<i32>((bitcast<i32>((_e40 % 3u)) - 1i), (bitcast<i32>(((_e40 / 3u) % 3u)) - 1i));
+            phi_236_ = vec2<i32>((bitcast<i32>((_e40 % 3u)) - 1i), (bitcast<i32>(((_e40 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e55 = phi_230_;
+    let _e55 = phi_236_;
     return vec2<i32>(_e55.x, _e55.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_251_: u32;
-    var phi_252_: u32;
+    var phi_257_: u32;
+    var phi_258_: u32;
 
     let _e43 = (bitcast<i32>(param_8) + param_9);
     if (_e43 < 0i) {
-        phi_252_ = 0u;
+        phi_258_ = 0u;
     } else {
         if (_e43 >= bitcast<i32>(param_10)) {
-            phi_251_ = (param_10 - 1u);
+            phi_257_ = (param_10 - 1u);
         } else {
-            phi_251_ = bitcast<u32>(_e43);
+            phi_257_ = bitcast<u32>(_e43);
         }
-        let _e50 = phi_251_;
-        phi_252_ = _e50;
+        let _e50 = phi_257_;
+        phi_258_ = _e50;
     }
-    let _e52 = phi_252_;
+    let _e52 = phi_258_;
     return _e52;
 }
 
 fn function_() {
-    var phi_313_: bool;
-    var phi_314_: bool;
-    var phi_315_: bool;
-    var phi_316_: bool;
+    var phi_318_: bool;
+    var phi_319_: bool;
     var phi_320_: bool;
-    var phi_364_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_368_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_381_: bool;
-    var phi_402_: bool;
-    var phi_413_: bool;
-    var phi_414_: bool;
-    var phi_415_: bool;
-    var phi_416_: bool;
-    var phi_417_: bool;
-    var phi_418_: bool;
-    var phi_422_: bool;
-    var phi_427_: bool;
-    var phi_441_: u32;
-    var phi_443_: u32;
-    var phi_446_: lt_mask_Neighbourhood;
-    var phi_458_: bool;
-    var phi_459_: bool;
-    var phi_468_: u32;
-    var phi_469_: u32;
-    var phi_529_: vec2<i32>;
-    var phi_549_: vec2<i32>;
-    var phi_572_: u32;
-    var phi_589_: bool;
-    var phi_590_: bool;
-    var phi_597_: bool;
-    var phi_598_: bool;
-    var phi_616_: bool;
-    var phi_617_: bool;
-    var phi_618_: bool;
-    var phi_444_: u32;
-    var phi_447_: lt_mask_Neighbourhood;
-    var phi_621_: lt_mask_Neighbourhood;
-    var phi_622_: lt_mask_Neighbourhood;
-    var phi_647_: bool;
-    var phi_648_: bool;
-    var phi_661_: bool;
-    var phi_662_: bool;
-    var phi_663_: bool;
-    var phi_670_: u32;
-    var phi_671_: u32;
-    var phi_672_: u32;
-    var phi_673_: u32;
-    var phi_674_: u32;
-    var phi_682_: bool;
-    var phi_690_: u32;
-    var phi_695_: u32;
-    var phi_699_: u32;
-    var phi_700_: u32;
-    var phi_704_: f32;
-    var phi_706_: mask_Masked;
-    var phi_712_: bool;
-    var phi_713_: u32;
+    var phi_321_: bool;
+    var phi_325_: bool;
+    var phi_395_: bool;
+    var phi_396_: bool;
+    var phi_407_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_408_: bool;
+    var phi_409_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_410_: bool;
+    var phi_417_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_421_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_434_: bool;
+    var phi_455_: bool;
+    var phi_466_: bool;
+    var phi_467_: bool;
+    var phi_468_: bool;
+    var phi_469_: bool;
+    var phi_470_: bool;
+    var phi_471_: bool;
+    var phi_475_: bool;
+    var phi_480_: bool;
+    var phi_494_: u32;
+    var phi_496_: u32;
+    var phi_499_: lt_mask_Neighbourhood;
+    var phi_511_: bool;
+    var phi_512_: bool;
+    var phi_521_: u32;
+    var phi_522_: u32;
+    var phi_582_: vec2<i32>;
+    var phi_602_: vec2<i32>;
+    var phi_625_: u32;
+    var phi_642_: bool;
+    var phi_643_: bool;
+    var phi_650_: bool;
+    var phi_651_: bool;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_497_: u32;
+    var phi_500_: lt_mask_Neighbourhood;
+    var phi_674_: lt_mask_Neighbourhood;
+    var phi_675_: lt_mask_Neighbourhood;
+    var phi_700_: bool;
+    var phi_701_: bool;
+    var phi_714_: bool;
+    var phi_715_: bool;
+    var phi_716_: bool;
+    var phi_723_: u32;
     var phi_724_: u32;
+    var phi_725_: u32;
+    var phi_726_: u32;
+    var phi_727_: u32;
+    var phi_735_: bool;
+    var phi_743_: u32;
+    var phi_748_: u32;
+    var phi_752_: u32;
+    var phi_753_: u32;
+    var phi_757_: f32;
+    var phi_759_: mask_Masked;
+    var phi_765_: bool;
+    var phi_766_: u32;
+    var phi_777_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e39 = id_1;
@@ -322,447 +337,486 @@ fn function_() {
     if (bitcast<i32>(_e55.root) != 0i) {
         let _e63 = p.member.current.size[0u];
         let _e68 = visibility.member[_e55.first_primitive];
-        let _e72 = p.member.light;
-        let _e75 = samples.member[_e55.first_primitive].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[_e55.first_primitive].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[_e55.first_primitive].normal[2u];
-                let _e87 = global[2u];
-                phi_313_ = (_e85 == _e87);
-                phi_314_ = false;
+        let _e74 = samples.member[_e55.first_primitive].normal[0u];
+        let _e76 = global[0u];
+        if (_e74 == _e76) {
+            let _e79 = samples.member[_e55.first_primitive].normal[1u];
+            let _e81 = global[1u];
+            if (_e79 == _e81) {
+                let _e84 = samples.member[_e55.first_primitive].normal[2u];
+                let _e86 = global[2u];
+                phi_318_ = (_e84 == _e86);
+                phi_319_ = false;
             } else {
-                phi_313_ = bool();
-                phi_314_ = true;
+                phi_318_ = bool();
+                phi_319_ = true;
             }
-            let _e90 = phi_313_;
-            let _e92 = phi_314_;
-            phi_315_ = _e90;
-            phi_316_ = _e92;
+            let _e89 = phi_318_;
+            let _e91 = phi_319_;
+            phi_320_ = _e89;
+            phi_321_ = _e91;
         } else {
-            phi_315_ = bool();
-            phi_316_ = true;
+            phi_320_ = bool();
+            phi_321_ = true;
         }
-        let _e94 = phi_315_;
-        let _e96 = phi_316_;
-        if _e96 {
-            phi_320_ = false;
+        let _e93 = phi_320_;
+        let _e95 = phi_321_;
+        if _e95 {
+            phi_325_ = false;
         } else {
-            phi_320_ = _e94;
+            phi_325_ = _e93;
         }
-        let _e98 = phi_320_;
-        if !(_e98) {
-            let _e101 = samples.member[_e55.first_primitive].normal;
-            let _e103 = samples.member[_e55.first_primitive].position;
-            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
-                let _e127 = samples.member[_e55.first_primitive].flags;
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_364_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
+        let _e97 = phi_325_;
+        if !(_e97) {
+            let _e100 = samples.member[_e55.first_primitive].position;
+            let _e102 = p.member.light.place;
+            let _e108 = p.member.light.place[3u];
+            let _e115 = (_e102.x - (_e100.x * _e108));
+            let _e116 = (_e102.y - (_e100.y * _e108));
+            let _e117 = (_e102.z - (_e100.z * _e108));
+            let _e119 = samples.member[_e55.first_primitive].normal;
+            if ((((_e119.x * _e115) + (_e119.y * _e116)) + (_e119.z * _e117)) > 0f) {
+                let _e133 = (((_e115 * _e115) + (_e116 * _e116)) + (_e117 * _e117));
+                let _e135 = p.member.light.axis;
+                let _e147 = p.member.light.place[3u];
+                if (_e147 == 0f) {
+                    phi_396_ = true;
+                } else {
+                    let _e150 = p.member.light.range_squared;
+                    if (_e133 <= _e150) {
+                        let _e153 = p.member.light.cos_outer;
+                        phi_395_ = (-((((_e115 * _e135.x) + (_e116 * _e135.y)) + (_e117 * _e135.z))) >= (_e153 * sqrt(_e133)));
+                    } else {
+                        phi_395_ = false;
+                    }
+                    let _e158 = phi_395_;
+                    phi_396_ = _e158;
+                }
+                let _e160 = phi_396_;
+                if _e160 {
+                    let _e162 = samples.member[_e55.first_primitive].flags;
+                    let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
+                    phi_407_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, ((_e162 & 1u) == 0u));
+                    phi_408_ = false;
+                } else {
+                    phi_407_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_408_ = true;
+                }
+                let _e181 = phi_407_;
+                let _e183 = phi_408_;
+                phi_409_ = _e181;
+                phi_410_ = _e183;
             } else {
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_364_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
+                phi_409_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_410_ = true;
             }
-            let _e161 = phi_364_;
-            phi_368_ = _e161;
+            let _e185 = phi_409_;
+            let _e187 = phi_410_;
+            if _e187 {
+                let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
+                phi_417_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, true);
+            } else {
+                phi_417_ = _e185;
+            }
+            let _e204 = phi_417_;
+            phi_421_ = _e204;
         } else {
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_368_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
+            let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
+            phi_421_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
         }
-        let _e178 = phi_368_;
-        if _e178.unnamed_1 {
-            phi_706_ = mask_Masked(_e178.unnamed.visibility, 0u, false);
+        let _e221 = phi_421_;
+        if _e221.unnamed_1 {
+            phi_759_ = mask_Masked(_e221.unnamed.visibility, 0u, false);
         } else {
-            let _e183 = (_e68 < 0.5f);
+            let _e226 = (_e68 < 0.5f);
             if (_e68 > 0f) {
-                phi_381_ = (_e68 < 1f);
+                phi_434_ = (_e68 < 1f);
             } else {
-                phi_381_ = false;
+                phi_434_ = false;
             }
-            let _e187 = phi_381_;
-            let _e189 = p.member.flags;
-            let _e191 = ((_e189 & 1u) != 0u);
-            let _e193 = p.member.flags;
+            let _e230 = phi_434_;
+            let _e232 = p.member.flags;
+            let _e234 = ((_e232 & 1u) != 0u);
+            let _e236 = p.member.flags;
             if false {
-                let _e197 = p.member.flags;
-                phi_402_ = ((_e197 & 4u) == 0u);
+                let _e240 = p.member.flags;
+                phi_455_ = ((_e240 & 4u) == 0u);
             } else {
-                phi_402_ = false;
+                phi_455_ = false;
             }
-            let _e201 = phi_402_;
-            if ((_e193 & 2u) != 0u) {
+            let _e244 = phi_455_;
+            if ((_e236 & 2u) != 0u) {
                 if false {
-                    phi_415_ = bool();
-                    phi_416_ = true;
+                    phi_468_ = bool();
+                    phi_469_ = true;
                 } else {
                     if true {
-                        phi_413_ = !(_e201);
-                        phi_414_ = false;
+                        phi_466_ = !(_e244);
+                        phi_467_ = false;
                     } else {
-                        phi_413_ = bool();
-                        phi_414_ = true;
+                        phi_466_ = bool();
+                        phi_467_ = true;
                     }
-                    let _e204 = phi_413_;
-                    let _e206 = phi_414_;
-                    phi_415_ = _e204;
-                    phi_416_ = _e206;
+                    let _e247 = phi_466_;
+                    let _e249 = phi_467_;
+                    phi_468_ = _e247;
+                    phi_469_ = _e249;
                 }
-                let _e208 = phi_415_;
-                let _e210 = phi_416_;
-                phi_417_ = _e208;
-                phi_418_ = _e210;
+                let _e251 = phi_468_;
+                let _e253 = phi_469_;
+                phi_470_ = _e251;
+                phi_471_ = _e253;
             } else {
-                phi_417_ = bool();
-                phi_418_ = true;
+                phi_470_ = bool();
+                phi_471_ = true;
             }
-            let _e212 = phi_417_;
-            let _e214 = phi_418_;
-            if _e214 {
-                phi_422_ = false;
+            let _e255 = phi_470_;
+            let _e257 = phi_471_;
+            if _e257 {
+                phi_475_ = false;
             } else {
-                phi_422_ = _e212;
+                phi_475_ = _e255;
             }
-            let _e216 = phi_422_;
-            let _e217 = lt_mask_Neighbourhood(false, true);
-            if _e187 {
-                phi_427_ = _e216;
+            let _e259 = phi_475_;
+            let _e260 = lt_mask_Neighbourhood(false, true);
+            if _e230 {
+                phi_480_ = _e259;
             } else {
-                phi_427_ = true;
+                phi_480_ = true;
             }
-            let _e219 = phi_427_;
-            if _e219 {
-                if _e191 {
+            let _e262 = phi_480_;
+            if _e262 {
+                if _e234 {
                     if false {
-                        let _e221 = p.member.moving_pattern;
-                        phi_441_ = _e221;
+                        let _e264 = p.member.moving_pattern;
+                        phi_494_ = _e264;
                     } else {
-                        let _e223 = p.member.still_pattern;
-                        phi_441_ = _e223;
+                        let _e266 = p.member.still_pattern;
+                        phi_494_ = _e266;
                     }
-                    let _e225 = phi_441_;
-                    phi_443_ = 0u;
-                    phi_446_ = _e217;
+                    let _e268 = phi_494_;
+                    phi_496_ = 0u;
+                    phi_499_ = _e260;
                     loop {
-                        let _e227 = phi_443_;
-                        let _e229 = phi_446_;
-                        local_1 = _e229;
-                        if (1u <= _e225) {
-                            if (_e225 <= 4u) {
-                                phi_458_ = false;
+                        let _e270 = phi_496_;
+                        let _e272 = phi_499_;
+                        local_1 = _e272;
+                        if (1u <= _e268) {
+                            if (_e268 <= 4u) {
+                                phi_511_ = false;
                             } else {
-                                phi_458_ = true;
+                                phi_511_ = true;
                             }
-                            let _e233 = phi_458_;
-                            phi_459_ = _e233;
+                            let _e276 = phi_511_;
+                            phi_512_ = _e276;
                         } else {
-                            phi_459_ = true;
+                            phi_512_ = true;
                         }
-                        let _e235 = phi_459_;
-                        if _e235 {
-                            switch bitcast<i32>(_e225) {
+                        let _e278 = phi_512_;
+                        if _e278 {
+                            switch bitcast<i32>(_e268) {
                                 case 5: {
-                                    phi_468_ = 4u;
+                                    phi_521_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_468_ = 25u;
+                                    phi_521_ = 25u;
                                     break;
                                 }
                                 case 7: {
-                                    phi_468_ = 13u;
+                                    phi_521_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_468_ = 9u;
+                                    phi_521_ = 9u;
                                     break;
                                 }
                             }
-                            let _e238 = phi_468_;
-                            phi_469_ = _e238;
+                            let _e281 = phi_521_;
+                            phi_522_ = _e281;
                         } else {
-                            phi_469_ = 5u;
+                            phi_522_ = 5u;
                         }
-                        let _e240 = phi_469_;
-                        let _e241 = (_e227 < _e240);
-                        if _e241 {
-                            let _e243 = p.member.frame;
-                            let _e247 = p.member.current.size[0u];
-                            let _e249 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e225) {
+                        let _e283 = phi_522_;
+                        let _e284 = (_e270 < _e283);
+                        if _e284 {
+                            let _e286 = p.member.frame;
+                            let _e290 = p.member.current.size[0u];
+                            let _e292 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e268) {
                                 case 1: {
-                                    let _e259 = lt_mask_pattern_plus(_e227);
-                                    phi_549_ = vec2<i32>(_e259.x, _e259.y);
+                                    let _e302 = lt_mask_pattern_plus(_e270);
+                                    phi_602_ = vec2<i32>(_e302.x, _e302.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e263 = lt_mask_pattern_cross(_e227);
-                                    phi_549_ = vec2<i32>(_e263.x, _e263.y);
+                                    let _e306 = lt_mask_pattern_cross(_e270);
+                                    phi_602_ = vec2<i32>(_e306.x, _e306.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e269 = lt_mask_pattern_plus_or_cross(_e227, ((_e39.x + _e39.y) & 1u));
-                                    phi_549_ = vec2<i32>(_e269.x, _e269.y);
+                                    let _e312 = lt_mask_pattern_plus_or_cross(_e270, ((_e39.x + _e39.y) & 1u));
+                                    phi_602_ = vec2<i32>(_e312.x, _e312.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e274 = lt_mask_pattern_plus_or_cross(_e227, (_e243 & 1u));
-                                    phi_549_ = vec2<i32>(_e274.x, _e274.y);
+                                    let _e317 = lt_mask_pattern_plus_or_cross(_e270, (_e286 & 1u));
+                                    phi_602_ = vec2<i32>(_e317.x, _e317.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e243 & 3u)) {
+                                    switch bitcast<i32>((_e286 & 3u)) {
                                         case 0: {
-                                            phi_529_ = vec2(-1i);
+                                            phi_582_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_529_ = vec2(0i);
+                                            phi_582_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_529_ = vec2<i32>(0i, -1i);
+                                            phi_582_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_529_ = vec2<i32>(-1i, 0i);
+                                            phi_582_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e285 = phi_529_;
-                                    phi_549_ = (_e285 + vec2<i32>(bitcast<i32>((_e227 & 1u)), bitcast<i32>(((_e227 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e328 = phi_582_;
+                                    phi_602_ = (_e328 + vec2<i32>(bitcast<i32>((_e270 & 1u)), bitcast<i32>(((_e270 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_549_ = vec2<i32>((bitcast<i32>((_e227 % 5u)) - 2i), (bitcast<i32>(((_e227 / 5u) % 5u)) - 2i));
+                                    phi_602_ = vec2<i32>((bitcast<i32>((_e270 % 5u)) - 2i), (bitcast<i32>(((_e270 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 case 7: {
-                                    let _e302 = lt_mask_pattern_diamond(_e227);
-                                    phi_549_ = vec2<i32>(_e302.x, _e302.y);
+                                    let _e345 = lt_mask_pattern_diamond(_e270);
+                                    phi_602_ = vec2<i32>(_e345.x, _e345.y);
                                     break;
                                 }
                                 default: {
-                                    phi_549_ = vec2<i32>((bitcast<i32>((_e227 % 3u)) - 1i), (bitcast<i32>(((_e227 / 3u) % 3u)) - 1i));
+                                    phi_602_ = vec2<i32>((bitcast<i32>((_e270 % 3u)) - 1i), (bitcast<i32>(((_e270 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e307 = phi_549_;
-                            let _e310 = lt_mask_pattern_step_clamped(_e39.x, _e307.x, _e247);
-                            let _e311 = lt_mask_pattern_step_clamped(_e39.y, _e307.y, _e249);
-                            let _e313 = ((_e311 * _e63) + _e310);
-                            if (_e313 < arrayLength((&last_bits.member))) {
+                            let _e350 = phi_602_;
+                            let _e353 = lt_mask_pattern_step_clamped(_e39.x, _e350.x, _e290);
+                            let _e354 = lt_mask_pattern_step_clamped(_e39.y, _e350.y, _e292);
+                            let _e356 = ((_e354 * _e63) + _e353);
+                            if (_e356 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e317 = last_bits.member[(0u + _e313)];
-                            if ((_e317 & 2u) == 0u) {
-                                phi_572_ = (_e317 & 1u);
+                            let _e360 = last_bits.member[(0u + _e356)];
+                            if ((_e360 & 2u) == 0u) {
+                                phi_625_ = (_e360 & 1u);
                             } else {
-                                phi_572_ = (_e317 & 7u);
+                                phi_625_ = (_e360 & 7u);
                             }
-                            let _e323 = phi_572_;
-                            if _e229.any_expands {
-                                phi_598_ = true;
+                            let _e366 = phi_625_;
+                            if _e272.any_expands {
+                                phi_651_ = true;
                             } else {
-                                if ((_e323 & 2u) != 0u) {
-                                    if (((_e323 & 4u) != 0u) != _e183) {
-                                        phi_589_ = false;
+                                if ((_e366 & 2u) != 0u) {
+                                    if (((_e366 & 4u) != 0u) != _e226) {
+                                        phi_642_ = false;
                                     } else {
-                                        phi_589_ = true;
+                                        phi_642_ = true;
                                     }
-                                    let _e332 = phi_589_;
-                                    phi_590_ = _e332;
+                                    let _e375 = phi_642_;
+                                    phi_643_ = _e375;
                                 } else {
-                                    phi_590_ = true;
+                                    phi_643_ = true;
                                 }
-                                let _e334 = phi_590_;
-                                if _e334 {
-                                    phi_597_ = (((_e323 & 1u) != 0u) != _e183);
+                                let _e377 = phi_643_;
+                                if _e377 {
+                                    phi_650_ = (((_e366 & 1u) != 0u) != _e226);
                                 } else {
-                                    phi_597_ = true;
+                                    phi_650_ = true;
                                 }
-                                let _e339 = phi_597_;
-                                phi_598_ = _e339;
+                                let _e382 = phi_650_;
+                                phi_651_ = _e382;
                             }
-                            let _e341 = phi_598_;
-                            if _e229.all_remove {
-                                if (((_e323 & 1u) != 0u) == _e183) {
-                                    if ((_e323 & 2u) != 0u) {
-                                        phi_616_ = (((_e323 & 4u) != 0u) == _e183);
+                            let _e384 = phi_651_;
+                            if _e272.all_remove {
+                                if (((_e366 & 1u) != 0u) == _e226) {
+                                    if ((_e366 & 2u) != 0u) {
+                                        phi_669_ = (((_e366 & 4u) != 0u) == _e226);
                                     } else {
-                                        phi_616_ = true;
+                                        phi_669_ = true;
                                     }
-                                    let _e351 = phi_616_;
-                                    phi_617_ = _e351;
+                                    let _e394 = phi_669_;
+                                    phi_670_ = _e394;
                                 } else {
-                                    phi_617_ = false;
+                                    phi_670_ = false;
                                 }
-                                let _e353 = phi_617_;
-                                phi_618_ = _e353;
+                                let _e396 = phi_670_;
+                                phi_671_ = _e396;
                             } else {
-                                phi_618_ = false;
+                                phi_671_ = false;
                             }
-                            let _e355 = phi_618_;
-                            phi_444_ = (_e227 + 1u);
-                            phi_447_ = lt_mask_Neighbourhood(_e341, _e355);
+                            let _e398 = phi_671_;
+                            phi_497_ = (_e270 + 1u);
+                            phi_500_ = lt_mask_Neighbourhood(_e384, _e398);
                         } else {
-                            phi_444_ = u32();
-                            phi_447_ = lt_mask_Neighbourhood();
+                            phi_497_ = u32();
+                            phi_500_ = lt_mask_Neighbourhood();
                         }
-                        let _e359 = phi_444_;
-                        let _e361 = phi_447_;
+                        let _e402 = phi_497_;
+                        let _e404 = phi_500_;
                         continue;
                         continuing {
-                            phi_443_ = _e359;
-                            phi_446_ = _e361;
-                            break if !(_e241);
+                            phi_496_ = _e402;
+                            phi_499_ = _e404;
+                            break if !(_e284);
                         }
                     }
-                    let _e475 = local_1;
-                    phi_621_ = _e475;
+                    let _e524 = local_1;
+                    phi_674_ = _e524;
                 } else {
-                    phi_621_ = _e217;
+                    phi_674_ = _e260;
                 }
-                let _e364 = phi_621_;
-                phi_622_ = _e364;
+                let _e407 = phi_674_;
+                phi_675_ = _e407;
             } else {
-                phi_622_ = _e217;
+                phi_675_ = _e260;
             }
-            let _e366 = phi_622_;
+            let _e409 = phi_675_;
             if (_e68 != 0.5f) {
-                if _e191 {
-                    if _e187 {
-                        phi_648_ = true;
+                if _e234 {
+                    if _e230 {
+                        phi_701_ = true;
                     } else {
-                        if _e366.any_expands {
-                            phi_647_ = false;
+                        if _e409.any_expands {
+                            phi_700_ = false;
                         } else {
-                            phi_647_ = true;
+                            phi_700_ = true;
                         }
-                        let _e371 = phi_647_;
-                        phi_648_ = _e371;
+                        let _e414 = phi_700_;
+                        phi_701_ = _e414;
                     }
-                    let _e373 = phi_648_;
-                    if _e373 {
-                        if _e187 {
-                            if _e216 {
-                                if _e366.all_remove {
-                                    phi_661_ = false;
+                    let _e416 = phi_701_;
+                    if _e416 {
+                        if _e230 {
+                            if _e259 {
+                                if _e409.all_remove {
+                                    phi_714_ = false;
                                 } else {
-                                    phi_661_ = true;
+                                    phi_714_ = true;
                                 }
-                                let _e375 = phi_661_;
-                                phi_662_ = _e375;
+                                let _e418 = phi_714_;
+                                phi_715_ = _e418;
                             } else {
-                                phi_662_ = true;
+                                phi_715_ = true;
                             }
-                            let _e377 = phi_662_;
-                            phi_663_ = _e377;
+                            let _e420 = phi_715_;
+                            phi_716_ = _e420;
                         } else {
-                            phi_663_ = true;
+                            phi_716_ = true;
                         }
-                        let _e379 = phi_663_;
-                        if _e379 {
-                            if _e187 {
-                                phi_670_ = 1u;
+                        let _e422 = phi_716_;
+                        if _e422 {
+                            if _e230 {
+                                phi_723_ = 1u;
                             } else {
-                                phi_670_ = 0u;
+                                phi_723_ = 0u;
                             }
-                            let _e381 = phi_670_;
-                            phi_671_ = _e381;
+                            let _e424 = phi_723_;
+                            phi_724_ = _e424;
                         } else {
-                            phi_671_ = 5u;
+                            phi_724_ = 5u;
                         }
-                        let _e383 = phi_671_;
-                        phi_672_ = _e383;
+                        let _e426 = phi_724_;
+                        phi_725_ = _e426;
                     } else {
-                        phi_672_ = 4u;
+                        phi_725_ = 4u;
                     }
-                    let _e385 = phi_672_;
-                    phi_673_ = _e385;
+                    let _e428 = phi_725_;
+                    phi_726_ = _e428;
                 } else {
-                    phi_673_ = 3u;
+                    phi_726_ = 3u;
                 }
-                let _e387 = phi_673_;
-                phi_674_ = _e387;
+                let _e430 = phi_726_;
+                phi_727_ = _e430;
             } else {
-                phi_674_ = 2u;
+                phi_727_ = 2u;
             }
-            let _e389 = phi_674_;
-            if !((_e389 == 0u)) {
-                phi_682_ = !((_e389 == 5u));
+            let _e432 = phi_727_;
+            if !((_e432 == 0u)) {
+                phi_735_ = !((_e432 == 5u));
             } else {
-                phi_682_ = false;
+                phi_735_ = false;
             }
-            let _e395 = phi_682_;
-            if _e395 {
-                if _e183 {
-                    phi_690_ = (2u | 1u);
+            let _e438 = phi_735_;
+            if _e438 {
+                if _e226 {
+                    phi_743_ = (2u | 1u);
                 } else {
-                    phi_690_ = 2u;
+                    phi_743_ = 2u;
                 }
-                let _e398 = phi_690_;
+                let _e441 = phi_743_;
                 if false {
-                    phi_695_ = (_e398 | 4u);
+                    phi_748_ = (_e441 | 4u);
                 } else {
-                    phi_695_ = _e398;
+                    phi_748_ = _e441;
                 }
-                let _e401 = phi_695_;
-                phi_700_ = _e401;
+                let _e444 = phi_748_;
+                phi_753_ = _e444;
             } else {
-                if _e183 {
-                    phi_699_ = 1u;
+                if _e226 {
+                    phi_752_ = 1u;
                 } else {
-                    phi_699_ = 0u;
+                    phi_752_ = 0u;
                 }
-                let _e403 = phi_699_;
-                phi_700_ = _e403;
+                let _e446 = phi_752_;
+                phi_753_ = _e446;
             }
-            let _e405 = phi_700_;
-            if _e183 {
-                phi_704_ = 0f;
+            let _e448 = phi_753_;
+            if _e226 {
+                phi_757_ = 0f;
             } else {
-                phi_704_ = 1f;
+                phi_757_ = 1f;
             }
-            let _e407 = phi_704_;
-            phi_706_ = mask_Masked(_e407, _e405, _e395);
+            let _e450 = phi_757_;
+            phi_759_ = mask_Masked(_e450, _e448, _e438);
         }
-        let _e410 = phi_706_;
-        visibility.member[_e55.first_primitive] = _e410.visibility;
-        bits.member[_e55.first_primitive] = _e410.bits;
-        phi_712_ = _e410.needs_ray;
-        phi_713_ = _e55.first_primitive;
+        let _e453 = phi_759_;
+        visibility.member[_e55.first_primitive] = _e453.visibility;
+        bits.member[_e55.first_primitive] = _e453.bits;
+        phi_765_ = _e453.needs_ray;
+        phi_766_ = _e55.first_primitive;
     } else {
-        phi_712_ = false;
-        phi_713_ = 0u;
+        phi_765_ = false;
+        phi_766_ = 0u;
     }
-    let _e417 = phi_712_;
-    let _e419 = phi_713_;
+    let _e460 = phi_765_;
+    let _e462 = phi_766_;
     if (_e40 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e417 {
-        let _e423 = atomicAdd((&shared_[0u]), 1u);
-        phi_724_ = _e423;
+    if _e460 {
+        let _e466 = atomicAdd((&shared_[0u]), 1u);
+        phi_777_ = _e466;
     } else {
-        phi_724_ = 0u;
+        phi_777_ = 0u;
     }
-    let _e425 = phi_724_;
+    let _e468 = phi_777_;
     workgroupBarrier();
     if (_e40 == 0u) {
-        let _e429 = atomicLoad((&shared_[0u]));
-        let _e430 = atomicAdd((&list.member[3u]), _e429);
-        atomicStore((&shared_[1u]), _e430);
+        let _e472 = atomicLoad((&shared_[0u]));
+        let _e473 = atomicAdd((&list.member[3u]), _e472);
+        atomicStore((&shared_[1u]), _e473);
     }
     workgroupBarrier();
-    if _e417 {
-        let _e433 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e433) + _e425)]), _e419);
+    if _e460 {
+        let _e476 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e476) + _e468)]), _e462);
     }
     return;
 }

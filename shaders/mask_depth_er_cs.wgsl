@@ -11,10 +11,19 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
-    light: vec4<f32>,
+    light: abi_LightParams,
     frame: u32,
     still_pattern: u32,
     moving_pattern: u32,
@@ -76,7 +85,7 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<atomic<u32>>,
 }
 
@@ -93,7 +102,7 @@ var<storage, read_write> bits: type_17;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_21;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_43;
+var<storage, read_write> list: type_44;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
@@ -102,221 +111,227 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_153_: lt_bvh_traverse_Tree;
-    var phi_154_: bool;
-    var phi_155_: lt_bvh_traverse_Tree;
-    var phi_156_: bool;
-    var phi_161_: lt_bvh_traverse_Tree;
+    var phi_156_: lt_bvh_traverse_Tree;
+    var phi_157_: bool;
+    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_159_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_153_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_154_ = false;
+            phi_156_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_157_ = false;
         } else {
-            phi_153_ = lt_bvh_traverse_Tree();
-            phi_154_ = true;
+            phi_156_ = lt_bvh_traverse_Tree();
+            phi_157_ = true;
         }
-        let _e56 = phi_153_;
-        let _e58 = phi_154_;
-        phi_155_ = _e56;
-        phi_156_ = _e58;
+        let _e56 = phi_156_;
+        let _e58 = phi_157_;
+        phi_158_ = _e56;
+        phi_159_ = _e58;
     } else {
-        phi_155_ = lt_bvh_traverse_Tree();
-        phi_156_ = true;
+        phi_158_ = lt_bvh_traverse_Tree();
+        phi_159_ = true;
     }
-    let _e60 = phi_155_;
-    let _e62 = phi_156_;
+    let _e60 = phi_158_;
+    let _e62 = phi_159_;
     if _e62 {
-        phi_161_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_164_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_161_ = _e60;
+        phi_164_ = _e60;
     }
-    let _e67 = phi_161_;
+    let _e67 = phi_164_;
     return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_179_: vec2<i32>;
+    var phi_182_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_179_ = vec2(0i);
+            phi_182_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_179_ = vec2<i32>(0i, -1i);
+            phi_182_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_179_ = vec2<i32>(-1i, 0i);
+            phi_182_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_179_ = vec2<i32>(1i, 0i);
+            phi_182_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_179_ = vec2<i32>(0i, 1i);
+            phi_182_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e52 = phi_179_;
+    let _e52 = phi_182_;
     return vec2<i32>(_e52.x, _e52.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_197_: vec2<i32>;
+    var phi_200_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_197_ = vec2(0i);
+            phi_200_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_197_ = vec2(-1i);
+            phi_200_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_197_ = vec2<i32>(1i, -1i);
+            phi_200_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_197_ = vec2<i32>(-1i, 1i);
+            phi_200_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_197_ = vec2(1i);
+            phi_200_ = vec2(1i);
             break;
         }
     }
-    let _e52 = phi_197_;
+    let _e52 = phi_200_;
     return vec2<i32>(_e52.x, _e52.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_216_: vec2<i32>;
+    var phi_219_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e46 = lt_mask_pattern_plus(param_5);
-        phi_216_ = vec2<i32>(_e46.x, _e46.y);
+        phi_219_ = vec2<i32>(_e46.x, _e46.y);
     } else {
         let _e50 = lt_mask_pattern_cross(param_5);
-        phi_216_ = vec2<i32>(_e50.x, _e50.y);
+        phi_219_ = vec2<i32>(_e50.x, _e50.y);
     }
-    let _e55 = phi_216_;
+    let _e55 = phi_219_;
     return vec2<i32>(_e55.x, _e55.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_241_: vec2<i32>;
+    var phi_244_: vec2<i32>;
 
     let _e44 = (param_7 % 13u);
     switch bitcast<i32>(_e44) {
         case 9: {
-            phi_241_ = vec2<i32>(0i, -2i);
+            phi_244_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_241_ = vec2<i32>(-2i, 0i);
+            phi_244_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_241_ = vec2<i32>(2i, 0i);
+            phi_244_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_241_ = vec2<i32>(0i, 2i);
+            phi_244_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_241_ = vec2<i32>((bitcast<i32>((_e44 % 3u)) - 1i), (bitcast<i32>(((_e44 / 3u) % 3u)) - 1i));
+            phi_244_ = vec2<i32>((bitcast<i32>((_e44 % 3u)) - 1i), (bitcast<i32>(((_e44 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e59 = phi_241_;
+    let _e59 = phi_244_;
     return vec2<i32>(_e59.x, _e59.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_262_: u32;
-    var phi_263_: u32;
+    var phi_265_: u32;
+    var phi_266_: u32;
 
     let _e47 = (bitcast<i32>(param_8) + param_9);
     if (_e47 < 0i) {
-        phi_263_ = 0u;
+        phi_266_ = 0u;
     } else {
         if (_e47 >= bitcast<i32>(param_10)) {
-            phi_262_ = (param_10 - 1u);
+            phi_265_ = (param_10 - 1u);
         } else {
-            phi_262_ = bitcast<u32>(_e47);
+            phi_265_ = bitcast<u32>(_e47);
         }
-        let _e54 = phi_262_;
-        phi_263_ = _e54;
+        let _e54 = phi_265_;
+        phi_266_ = _e54;
     }
-    let _e56 = phi_263_;
+    let _e56 = phi_266_;
     return _e56;
 }
 
 fn function_() {
-    var phi_329_: bool;
-    var phi_330_: bool;
     var phi_331_: bool;
     var phi_332_: bool;
-    var phi_336_: bool;
-    var phi_380_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_384_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_397_: bool;
-    var phi_453_: bool;
-    var phi_457_: f32;
-    var phi_468_: bool;
-    var phi_494_: u32;
-    var phi_496_: u32;
-    var phi_499_: lt_mask_Neighbourhood;
-    var phi_511_: bool;
-    var phi_512_: bool;
-    var phi_521_: u32;
-    var phi_522_: u32;
-    var phi_582_: vec2<i32>;
-    var phi_602_: vec2<i32>;
-    var phi_625_: u32;
-    var phi_642_: bool;
-    var phi_643_: bool;
-    var phi_650_: bool;
-    var phi_651_: bool;
-    var phi_669_: bool;
-    var phi_670_: bool;
-    var phi_671_: bool;
-    var phi_497_: u32;
-    var phi_500_: lt_mask_Neighbourhood;
-    var phi_674_: lt_mask_Neighbourhood;
-    var phi_675_: lt_mask_Neighbourhood;
-    var phi_676_: lt_mask_Neighbourhood;
+    var phi_333_: bool;
+    var phi_334_: bool;
+    var phi_338_: bool;
+    var phi_408_: bool;
+    var phi_409_: bool;
+    var phi_420_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_421_: bool;
+    var phi_422_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_423_: bool;
+    var phi_430_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_434_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_447_: bool;
+    var phi_503_: bool;
+    var phi_507_: f32;
+    var phi_518_: bool;
+    var phi_544_: u32;
+    var phi_546_: u32;
+    var phi_549_: lt_mask_Neighbourhood;
+    var phi_561_: bool;
+    var phi_562_: bool;
+    var phi_571_: u32;
+    var phi_572_: u32;
+    var phi_632_: vec2<i32>;
+    var phi_652_: vec2<i32>;
+    var phi_675_: u32;
+    var phi_692_: bool;
+    var phi_693_: bool;
+    var phi_700_: bool;
     var phi_701_: bool;
-    var phi_702_: bool;
-    var phi_715_: bool;
-    var phi_716_: bool;
-    var phi_717_: bool;
-    var phi_724_: u32;
-    var phi_725_: u32;
-    var phi_726_: u32;
-    var phi_727_: u32;
-    var phi_728_: u32;
-    var phi_736_: bool;
-    var phi_744_: u32;
-    var phi_749_: u32;
-    var phi_753_: u32;
-    var phi_754_: u32;
-    var phi_758_: f32;
-    var phi_760_: mask_Masked;
-    var phi_788_: bool;
-    var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_791_: bool;
-    var phi_795_: bool;
-    var phi_823_: f32;
-    var phi_826_: bool;
-    var phi_827_: u32;
-    var phi_838_: u32;
+    var phi_719_: bool;
+    var phi_720_: bool;
+    var phi_721_: bool;
+    var phi_547_: u32;
+    var phi_550_: lt_mask_Neighbourhood;
+    var phi_724_: lt_mask_Neighbourhood;
+    var phi_725_: lt_mask_Neighbourhood;
+    var phi_726_: lt_mask_Neighbourhood;
+    var phi_751_: bool;
+    var phi_752_: bool;
+    var phi_765_: bool;
+    var phi_766_: bool;
+    var phi_767_: bool;
+    var phi_774_: u32;
+    var phi_775_: u32;
+    var phi_776_: u32;
+    var phi_777_: u32;
+    var phi_778_: u32;
+    var phi_786_: bool;
+    var phi_794_: u32;
+    var phi_799_: u32;
+    var phi_803_: u32;
+    var phi_804_: u32;
+    var phi_808_: f32;
+    var phi_810_: mask_Masked;
+    var phi_838_: bool;
+    var phi_839_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_845_: bool;
+    var phi_873_: f32;
+    var phi_876_: bool;
+    var phi_877_: u32;
+    var phi_888_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e43 = id_1;
@@ -328,480 +343,519 @@ fn function_() {
         let _e71 = p.member.current.size[0u];
         let _e74 = samples.member[_e63.first_primitive].position;
         let _e76 = visibility.member[_e63.first_primitive];
-        let _e80 = p.member.light;
-        let _e83 = samples.member[_e63.first_primitive].normal[0u];
-        let _e85 = global[0u];
-        if (_e83 == _e85) {
-            let _e88 = samples.member[_e63.first_primitive].normal[1u];
-            let _e90 = global[1u];
-            if (_e88 == _e90) {
-                let _e93 = samples.member[_e63.first_primitive].normal[2u];
-                let _e95 = global[2u];
-                phi_329_ = (_e93 == _e95);
-                phi_330_ = false;
+        let _e82 = samples.member[_e63.first_primitive].normal[0u];
+        let _e84 = global[0u];
+        if (_e82 == _e84) {
+            let _e87 = samples.member[_e63.first_primitive].normal[1u];
+            let _e89 = global[1u];
+            if (_e87 == _e89) {
+                let _e92 = samples.member[_e63.first_primitive].normal[2u];
+                let _e94 = global[2u];
+                phi_331_ = (_e92 == _e94);
+                phi_332_ = false;
             } else {
-                phi_329_ = bool();
-                phi_330_ = true;
+                phi_331_ = bool();
+                phi_332_ = true;
             }
-            let _e98 = phi_329_;
-            let _e100 = phi_330_;
-            phi_331_ = _e98;
-            phi_332_ = _e100;
+            let _e97 = phi_331_;
+            let _e99 = phi_332_;
+            phi_333_ = _e97;
+            phi_334_ = _e99;
         } else {
-            phi_331_ = bool();
-            phi_332_ = true;
+            phi_333_ = bool();
+            phi_334_ = true;
         }
-        let _e102 = phi_331_;
-        let _e104 = phi_332_;
-        if _e104 {
-            phi_336_ = false;
+        let _e101 = phi_333_;
+        let _e103 = phi_334_;
+        if _e103 {
+            phi_338_ = false;
         } else {
-            phi_336_ = _e102;
+            phi_338_ = _e101;
         }
-        let _e106 = phi_336_;
-        if !(_e106) {
-            let _e109 = samples.member[_e63.first_primitive].normal;
-            let _e111 = samples.member[_e63.first_primitive].position;
-            if ((((_e109.x * (_e80.x - (_e111.x * _e80.w))) + (_e109.y * (_e80.y - (_e111.y * _e80.w)))) + (_e109.z * (_e80.z - (_e111.z * _e80.w)))) > 0f) {
-                let _e135 = samples.member[_e63.first_primitive].flags;
-                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
-                phi_380_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, ((_e135 & 1u) == 0u));
+        let _e105 = phi_338_;
+        if !(_e105) {
+            let _e108 = samples.member[_e63.first_primitive].position;
+            let _e110 = p.member.light.place;
+            let _e116 = p.member.light.place[3u];
+            let _e123 = (_e110.x - (_e108.x * _e116));
+            let _e124 = (_e110.y - (_e108.y * _e116));
+            let _e125 = (_e110.z - (_e108.z * _e116));
+            let _e127 = samples.member[_e63.first_primitive].normal;
+            if ((((_e127.x * _e123) + (_e127.y * _e124)) + (_e127.z * _e125)) > 0f) {
+                let _e141 = (((_e123 * _e123) + (_e124 * _e124)) + (_e125 * _e125));
+                let _e143 = p.member.light.axis;
+                let _e155 = p.member.light.place[3u];
+                if (_e155 == 0f) {
+                    phi_409_ = true;
+                } else {
+                    let _e158 = p.member.light.range_squared;
+                    if (_e141 <= _e158) {
+                        let _e161 = p.member.light.cos_outer;
+                        phi_408_ = (-((((_e123 * _e143.x) + (_e124 * _e143.y)) + (_e125 * _e143.z))) >= (_e161 * sqrt(_e141)));
+                    } else {
+                        phi_408_ = false;
+                    }
+                    let _e166 = phi_408_;
+                    phi_409_ = _e166;
+                }
+                let _e168 = phi_409_;
+                if _e168 {
+                    let _e170 = samples.member[_e63.first_primitive].flags;
+                    let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e178.unnamed.visibility, false), _e178.unnamed_1);
+                    phi_420_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e184.unnamed, ((_e170 & 1u) == 0u));
+                    phi_421_ = false;
+                } else {
+                    phi_420_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_421_ = true;
+                }
+                let _e189 = phi_420_;
+                let _e191 = phi_421_;
+                phi_422_ = _e189;
+                phi_423_ = _e191;
             } else {
-                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
-                phi_380_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
+                phi_422_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_423_ = true;
             }
-            let _e169 = phi_380_;
-            phi_384_ = _e169;
+            let _e193 = phi_422_;
+            let _e195 = phi_423_;
+            if _e195 {
+                let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e201.unnamed.visibility, false), _e201.unnamed_1);
+                phi_430_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e207.unnamed, true);
+            } else {
+                phi_430_ = _e193;
+            }
+            let _e212 = phi_430_;
+            phi_434_ = _e212;
         } else {
-            let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e175.unnamed.visibility, false), _e175.unnamed_1);
-            phi_384_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e181.unnamed, true);
+            let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
+            phi_434_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, true);
         }
-        let _e186 = phi_384_;
-        if _e186.unnamed_1 {
-            phi_760_ = mask_Masked(_e186.unnamed.visibility, 0u, false);
+        let _e229 = phi_434_;
+        if _e229.unnamed_1 {
+            phi_810_ = mask_Masked(_e229.unnamed.visibility, 0u, false);
         } else {
-            let _e191 = (_e76 < 0.5f);
+            let _e234 = (_e76 < 0.5f);
             if (_e76 > 0f) {
-                phi_397_ = (_e76 < 1f);
+                phi_447_ = (_e76 < 1f);
             } else {
-                phi_397_ = false;
+                phi_447_ = false;
             }
-            let _e195 = phi_397_;
-            let _e198 = p.member.previous.eye;
-            let _e209 = p.member.previous.forward;
-            let _e217 = ((((_e74.x - _e198.x) * _e209.x) + ((_e74.y - _e198.y) * _e209.y)) + ((_e74.z - _e198.z) * _e209.z));
-            let _e219 = ((_e43.y * _e71) + _e43.x);
-            if (_e219 < arrayLength((&last_depths.member))) {
+            let _e238 = phi_447_;
+            let _e241 = p.member.previous.eye;
+            let _e252 = p.member.previous.forward;
+            let _e260 = ((((_e74.x - _e241.x) * _e252.x) + ((_e74.y - _e241.y) * _e252.y)) + ((_e74.z - _e241.z) * _e252.z));
+            let _e262 = ((_e43.y * _e71) + _e43.x);
+            if (_e262 < arrayLength((&last_depths.member))) {
             } else {
                 return;
             }
-            let _e223 = last_depths.member[(0u + _e219)];
-            let _e225 = p.member.depth_tolerance;
-            let _e228 = abs(_e217);
-            let _e229 = abs(_e223);
-            if ((bitcast<u32>(_e229) & 2147483647u) > 2139095040u) {
-                phi_453_ = true;
+            let _e266 = last_depths.member[(0u + _e262)];
+            let _e268 = p.member.depth_tolerance;
+            let _e271 = abs(_e260);
+            let _e272 = abs(_e266);
+            if ((bitcast<u32>(_e272) & 2147483647u) > 2139095040u) {
+                phi_503_ = true;
             } else {
-                let _e233 = (_e229 > _e228);
-                if _e233 {
+                let _e276 = (_e272 > _e271);
+                if _e276 {
                 }
-                phi_453_ = _e233;
+                phi_503_ = _e276;
             }
-            let _e235 = phi_453_;
-            if _e235 {
-                phi_457_ = _e229;
+            let _e278 = phi_503_;
+            if _e278 {
+                phi_507_ = _e272;
             } else {
-                phi_457_ = _e228;
+                phi_507_ = _e271;
             }
-            let _e237 = phi_457_;
-            if (abs((_e217 - _e223)) <= (_e225 * _e237)) {
-                let _e241 = p.member.flags;
-                phi_468_ = ((_e241 & 1u) != 0u);
+            let _e280 = phi_507_;
+            if (abs((_e260 - _e266)) <= (_e268 * _e280)) {
+                let _e284 = p.member.flags;
+                phi_518_ = ((_e284 & 1u) != 0u);
             } else {
-                phi_468_ = false;
+                phi_518_ = false;
             }
-            let _e245 = phi_468_;
+            let _e288 = phi_518_;
             if false {
             }
-            let _e250 = lt_mask_Neighbourhood(false, true);
-            if _e195 {
-                phi_676_ = _e250;
+            let _e293 = lt_mask_Neighbourhood(false, true);
+            if _e238 {
+                phi_726_ = _e293;
             } else {
                 if true {
-                    if _e245 {
+                    if _e288 {
                         if false {
-                            let _e252 = p.member.moving_pattern;
-                            phi_494_ = _e252;
+                            let _e295 = p.member.moving_pattern;
+                            phi_544_ = _e295;
                         } else {
-                            let _e254 = p.member.still_pattern;
-                            phi_494_ = _e254;
+                            let _e297 = p.member.still_pattern;
+                            phi_544_ = _e297;
                         }
-                        let _e256 = phi_494_;
-                        phi_496_ = 0u;
-                        phi_499_ = _e250;
+                        let _e299 = phi_544_;
+                        phi_546_ = 0u;
+                        phi_549_ = _e293;
                         loop {
-                            let _e258 = phi_496_;
-                            let _e260 = phi_499_;
-                            local_1 = _e260;
-                            if (1u <= _e256) {
-                                if (_e256 <= 4u) {
-                                    phi_511_ = false;
+                            let _e301 = phi_546_;
+                            let _e303 = phi_549_;
+                            local_1 = _e303;
+                            if (1u <= _e299) {
+                                if (_e299 <= 4u) {
+                                    phi_561_ = false;
                                 } else {
-                                    phi_511_ = true;
+                                    phi_561_ = true;
                                 }
-                                let _e264 = phi_511_;
-                                phi_512_ = _e264;
+                                let _e307 = phi_561_;
+                                phi_562_ = _e307;
                             } else {
-                                phi_512_ = true;
+                                phi_562_ = true;
                             }
-                            let _e266 = phi_512_;
-                            if _e266 {
-                                switch bitcast<i32>(_e256) {
+                            let _e309 = phi_562_;
+                            if _e309 {
+                                switch bitcast<i32>(_e299) {
                                     case 5: {
-                                        phi_521_ = 4u;
+                                        phi_571_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_521_ = 25u;
+                                        phi_571_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_521_ = 13u;
+                                        phi_571_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_521_ = 9u;
+                                        phi_571_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e269 = phi_521_;
-                                phi_522_ = _e269;
+                                let _e312 = phi_571_;
+                                phi_572_ = _e312;
                             } else {
-                                phi_522_ = 5u;
+                                phi_572_ = 5u;
                             }
-                            let _e271 = phi_522_;
-                            let _e272 = (_e258 < _e271);
-                            if _e272 {
-                                let _e274 = p.member.frame;
-                                let _e278 = p.member.current.size[0u];
-                                let _e280 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e256) {
+                            let _e314 = phi_572_;
+                            let _e315 = (_e301 < _e314);
+                            if _e315 {
+                                let _e317 = p.member.frame;
+                                let _e321 = p.member.current.size[0u];
+                                let _e323 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e299) {
                                     case 1: {
-                                        let _e290 = lt_mask_pattern_plus(_e258);
-                                        phi_602_ = vec2<i32>(_e290.x, _e290.y);
+                                        let _e333 = lt_mask_pattern_plus(_e301);
+                                        phi_652_ = vec2<i32>(_e333.x, _e333.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e294 = lt_mask_pattern_cross(_e258);
-                                        phi_602_ = vec2<i32>(_e294.x, _e294.y);
+                                        let _e337 = lt_mask_pattern_cross(_e301);
+                                        phi_652_ = vec2<i32>(_e337.x, _e337.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e300 = lt_mask_pattern_plus_or_cross(_e258, ((_e43.x + _e43.y) & 1u));
-                                        phi_602_ = vec2<i32>(_e300.x, _e300.y);
+                                        let _e343 = lt_mask_pattern_plus_or_cross(_e301, ((_e43.x + _e43.y) & 1u));
+                                        phi_652_ = vec2<i32>(_e343.x, _e343.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e305 = lt_mask_pattern_plus_or_cross(_e258, (_e274 & 1u));
-                                        phi_602_ = vec2<i32>(_e305.x, _e305.y);
+                                        let _e348 = lt_mask_pattern_plus_or_cross(_e301, (_e317 & 1u));
+                                        phi_652_ = vec2<i32>(_e348.x, _e348.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e274 & 3u)) {
+                                        switch bitcast<i32>((_e317 & 3u)) {
                                             case 0: {
-                                                phi_582_ = vec2(-1i);
+                                                phi_632_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_582_ = vec2(0i);
+                                                phi_632_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_582_ = vec2<i32>(0i, -1i);
+                                                phi_632_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_582_ = vec2<i32>(-1i, 0i);
+                                                phi_632_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e316 = phi_582_;
-                                        phi_602_ = (_e316 + vec2<i32>(bitcast<i32>((_e258 & 1u)), bitcast<i32>(((_e258 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e359 = phi_632_;
+                                        phi_652_ = (_e359 + vec2<i32>(bitcast<i32>((_e301 & 1u)), bitcast<i32>(((_e301 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_602_ = vec2<i32>((bitcast<i32>((_e258 % 5u)) - 2i), (bitcast<i32>(((_e258 / 5u) % 5u)) - 2i));
+                                        phi_652_ = vec2<i32>((bitcast<i32>((_e301 % 5u)) - 2i), (bitcast<i32>(((_e301 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e333 = lt_mask_pattern_diamond(_e258);
-                                        phi_602_ = vec2<i32>(_e333.x, _e333.y);
+                                        let _e376 = lt_mask_pattern_diamond(_e301);
+                                        phi_652_ = vec2<i32>(_e376.x, _e376.y);
                                         break;
                                     }
                                     default: {
-                                        phi_602_ = vec2<i32>((bitcast<i32>((_e258 % 3u)) - 1i), (bitcast<i32>(((_e258 / 3u) % 3u)) - 1i));
+                                        phi_652_ = vec2<i32>((bitcast<i32>((_e301 % 3u)) - 1i), (bitcast<i32>(((_e301 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e338 = phi_602_;
-                                let _e341 = lt_mask_pattern_step_clamped(_e43.x, _e338.x, _e278);
-                                let _e342 = lt_mask_pattern_step_clamped(_e43.y, _e338.y, _e280);
-                                let _e344 = ((_e342 * _e71) + _e341);
-                                if (_e344 < arrayLength((&last_bits.member))) {
+                                let _e381 = phi_652_;
+                                let _e384 = lt_mask_pattern_step_clamped(_e43.x, _e381.x, _e321);
+                                let _e385 = lt_mask_pattern_step_clamped(_e43.y, _e381.y, _e323);
+                                let _e387 = ((_e385 * _e71) + _e384);
+                                if (_e387 < arrayLength((&last_bits.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e348 = last_bits.member[(0u + _e344)];
-                                if ((_e348 & 2u) == 0u) {
-                                    phi_625_ = (_e348 & 1u);
+                                let _e391 = last_bits.member[(0u + _e387)];
+                                if ((_e391 & 2u) == 0u) {
+                                    phi_675_ = (_e391 & 1u);
                                 } else {
-                                    phi_625_ = (_e348 & 7u);
+                                    phi_675_ = (_e391 & 7u);
                                 }
-                                let _e354 = phi_625_;
-                                if _e260.any_expands {
-                                    phi_651_ = true;
+                                let _e397 = phi_675_;
+                                if _e303.any_expands {
+                                    phi_701_ = true;
                                 } else {
-                                    if ((_e354 & 2u) != 0u) {
-                                        if (((_e354 & 4u) != 0u) != _e191) {
-                                            phi_642_ = false;
+                                    if ((_e397 & 2u) != 0u) {
+                                        if (((_e397 & 4u) != 0u) != _e234) {
+                                            phi_692_ = false;
                                         } else {
-                                            phi_642_ = true;
+                                            phi_692_ = true;
                                         }
-                                        let _e363 = phi_642_;
-                                        phi_643_ = _e363;
+                                        let _e406 = phi_692_;
+                                        phi_693_ = _e406;
                                     } else {
-                                        phi_643_ = true;
+                                        phi_693_ = true;
                                     }
-                                    let _e365 = phi_643_;
-                                    if _e365 {
-                                        phi_650_ = (((_e354 & 1u) != 0u) != _e191);
+                                    let _e408 = phi_693_;
+                                    if _e408 {
+                                        phi_700_ = (((_e397 & 1u) != 0u) != _e234);
                                     } else {
-                                        phi_650_ = true;
+                                        phi_700_ = true;
                                     }
-                                    let _e370 = phi_650_;
-                                    phi_651_ = _e370;
+                                    let _e413 = phi_700_;
+                                    phi_701_ = _e413;
                                 }
-                                let _e372 = phi_651_;
-                                if _e260.all_remove {
-                                    if (((_e354 & 1u) != 0u) == _e191) {
-                                        if ((_e354 & 2u) != 0u) {
-                                            phi_669_ = (((_e354 & 4u) != 0u) == _e191);
+                                let _e415 = phi_701_;
+                                if _e303.all_remove {
+                                    if (((_e397 & 1u) != 0u) == _e234) {
+                                        if ((_e397 & 2u) != 0u) {
+                                            phi_719_ = (((_e397 & 4u) != 0u) == _e234);
                                         } else {
-                                            phi_669_ = true;
+                                            phi_719_ = true;
                                         }
-                                        let _e382 = phi_669_;
-                                        phi_670_ = _e382;
+                                        let _e425 = phi_719_;
+                                        phi_720_ = _e425;
                                     } else {
-                                        phi_670_ = false;
+                                        phi_720_ = false;
                                     }
-                                    let _e384 = phi_670_;
-                                    phi_671_ = _e384;
+                                    let _e427 = phi_720_;
+                                    phi_721_ = _e427;
                                 } else {
-                                    phi_671_ = false;
+                                    phi_721_ = false;
                                 }
-                                let _e386 = phi_671_;
-                                phi_497_ = (_e258 + 1u);
-                                phi_500_ = lt_mask_Neighbourhood(_e372, _e386);
+                                let _e429 = phi_721_;
+                                phi_547_ = (_e301 + 1u);
+                                phi_550_ = lt_mask_Neighbourhood(_e415, _e429);
                             } else {
-                                phi_497_ = u32();
-                                phi_500_ = lt_mask_Neighbourhood();
+                                phi_547_ = u32();
+                                phi_550_ = lt_mask_Neighbourhood();
                             }
-                            let _e390 = phi_497_;
-                            let _e392 = phi_500_;
+                            let _e433 = phi_547_;
+                            let _e435 = phi_550_;
                             continue;
                             continuing {
-                                phi_496_ = _e390;
-                                phi_499_ = _e392;
-                                break if !(_e272);
+                                phi_546_ = _e433;
+                                phi_549_ = _e435;
+                                break if !(_e315);
                             }
                         }
-                        let _e556 = local_1;
-                        phi_674_ = _e556;
+                        let _e605 = local_1;
+                        phi_724_ = _e605;
                     } else {
-                        phi_674_ = _e250;
+                        phi_724_ = _e293;
                     }
-                    let _e395 = phi_674_;
-                    phi_675_ = _e395;
+                    let _e438 = phi_724_;
+                    phi_725_ = _e438;
                 } else {
-                    phi_675_ = _e250;
+                    phi_725_ = _e293;
                 }
-                let _e397 = phi_675_;
-                phi_676_ = _e397;
+                let _e440 = phi_725_;
+                phi_726_ = _e440;
             }
-            let _e399 = phi_676_;
+            let _e442 = phi_726_;
             if (_e76 != 0.5f) {
-                if _e245 {
-                    if _e195 {
-                        phi_702_ = true;
+                if _e288 {
+                    if _e238 {
+                        phi_752_ = true;
                     } else {
-                        if _e399.any_expands {
-                            phi_701_ = false;
+                        if _e442.any_expands {
+                            phi_751_ = false;
                         } else {
-                            phi_701_ = true;
+                            phi_751_ = true;
                         }
-                        let _e404 = phi_701_;
-                        phi_702_ = _e404;
+                        let _e447 = phi_751_;
+                        phi_752_ = _e447;
                     }
-                    let _e406 = phi_702_;
-                    if _e406 {
-                        if _e195 {
+                    let _e449 = phi_752_;
+                    if _e449 {
+                        if _e238 {
                             if false {
-                                if _e399.all_remove {
-                                    phi_715_ = false;
+                                if _e442.all_remove {
+                                    phi_765_ = false;
                                 } else {
-                                    phi_715_ = true;
+                                    phi_765_ = true;
                                 }
-                                let _e408 = phi_715_;
-                                phi_716_ = _e408;
+                                let _e451 = phi_765_;
+                                phi_766_ = _e451;
                             } else {
-                                phi_716_ = true;
+                                phi_766_ = true;
                             }
-                            let _e410 = phi_716_;
-                            phi_717_ = _e410;
+                            let _e453 = phi_766_;
+                            phi_767_ = _e453;
                         } else {
-                            phi_717_ = true;
+                            phi_767_ = true;
                         }
-                        let _e412 = phi_717_;
-                        if _e412 {
-                            if _e195 {
-                                phi_724_ = 1u;
+                        let _e455 = phi_767_;
+                        if _e455 {
+                            if _e238 {
+                                phi_774_ = 1u;
                             } else {
-                                phi_724_ = 0u;
+                                phi_774_ = 0u;
                             }
-                            let _e414 = phi_724_;
-                            phi_725_ = _e414;
+                            let _e457 = phi_774_;
+                            phi_775_ = _e457;
                         } else {
-                            phi_725_ = 5u;
+                            phi_775_ = 5u;
                         }
-                        let _e416 = phi_725_;
-                        phi_726_ = _e416;
+                        let _e459 = phi_775_;
+                        phi_776_ = _e459;
                     } else {
-                        phi_726_ = 4u;
+                        phi_776_ = 4u;
                     }
-                    let _e418 = phi_726_;
-                    phi_727_ = _e418;
+                    let _e461 = phi_776_;
+                    phi_777_ = _e461;
                 } else {
-                    phi_727_ = 3u;
+                    phi_777_ = 3u;
                 }
-                let _e420 = phi_727_;
-                phi_728_ = _e420;
+                let _e463 = phi_777_;
+                phi_778_ = _e463;
             } else {
-                phi_728_ = 2u;
+                phi_778_ = 2u;
             }
-            let _e422 = phi_728_;
-            if !((_e422 == 0u)) {
-                phi_736_ = !((_e422 == 5u));
+            let _e465 = phi_778_;
+            if !((_e465 == 0u)) {
+                phi_786_ = !((_e465 == 5u));
             } else {
-                phi_736_ = false;
+                phi_786_ = false;
             }
-            let _e428 = phi_736_;
-            if _e428 {
-                if _e191 {
-                    phi_744_ = (2u | 1u);
+            let _e471 = phi_786_;
+            if _e471 {
+                if _e234 {
+                    phi_794_ = (2u | 1u);
                 } else {
-                    phi_744_ = 2u;
+                    phi_794_ = 2u;
                 }
-                let _e431 = phi_744_;
+                let _e474 = phi_794_;
                 if false {
-                    phi_749_ = (_e431 | 4u);
+                    phi_799_ = (_e474 | 4u);
                 } else {
-                    phi_749_ = _e431;
+                    phi_799_ = _e474;
                 }
-                let _e434 = phi_749_;
-                phi_754_ = _e434;
+                let _e477 = phi_799_;
+                phi_804_ = _e477;
             } else {
-                if _e191 {
-                    phi_753_ = 1u;
+                if _e234 {
+                    phi_803_ = 1u;
                 } else {
-                    phi_753_ = 0u;
+                    phi_803_ = 0u;
                 }
-                let _e436 = phi_753_;
-                phi_754_ = _e436;
+                let _e479 = phi_803_;
+                phi_804_ = _e479;
             }
-            let _e438 = phi_754_;
-            if _e191 {
-                phi_758_ = 0f;
+            let _e481 = phi_804_;
+            if _e234 {
+                phi_808_ = 0f;
             } else {
-                phi_758_ = 1f;
+                phi_808_ = 1f;
             }
-            let _e440 = phi_758_;
-            phi_760_ = mask_Masked(_e440, _e438, _e428);
+            let _e483 = phi_808_;
+            phi_810_ = mask_Masked(_e483, _e481, _e471);
         }
-        let _e443 = phi_760_;
-        visibility.member[_e63.first_primitive] = _e443.visibility;
-        bits.member[_e63.first_primitive] = _e443.bits;
-        let _e451 = samples.member[_e63.first_primitive].normal[0u];
-        let _e453 = global[0u];
-        if (_e451 == _e453) {
-            let _e456 = samples.member[_e63.first_primitive].normal[1u];
-            let _e458 = global[1u];
-            if (_e456 == _e458) {
-                let _e461 = samples.member[_e63.first_primitive].normal[2u];
-                let _e463 = global[2u];
-                phi_788_ = (_e461 == _e463);
-                phi_789_ = false;
+        let _e486 = phi_810_;
+        visibility.member[_e63.first_primitive] = _e486.visibility;
+        bits.member[_e63.first_primitive] = _e486.bits;
+        let _e494 = samples.member[_e63.first_primitive].normal[0u];
+        let _e496 = global[0u];
+        if (_e494 == _e496) {
+            let _e499 = samples.member[_e63.first_primitive].normal[1u];
+            let _e501 = global[1u];
+            if (_e499 == _e501) {
+                let _e504 = samples.member[_e63.first_primitive].normal[2u];
+                let _e506 = global[2u];
+                phi_838_ = (_e504 == _e506);
+                phi_839_ = false;
             } else {
-                phi_788_ = bool();
-                phi_789_ = true;
+                phi_838_ = bool();
+                phi_839_ = true;
             }
-            let _e466 = phi_788_;
-            let _e468 = phi_789_;
-            phi_790_ = _e466;
-            phi_791_ = _e468;
+            let _e509 = phi_838_;
+            let _e511 = phi_839_;
+            phi_840_ = _e509;
+            phi_841_ = _e511;
         } else {
-            phi_790_ = bool();
-            phi_791_ = true;
+            phi_840_ = bool();
+            phi_841_ = true;
         }
-        let _e470 = phi_790_;
-        let _e472 = phi_791_;
-        if _e472 {
-            phi_795_ = false;
+        let _e513 = phi_840_;
+        let _e515 = phi_841_;
+        if _e515 {
+            phi_845_ = false;
         } else {
-            phi_795_ = _e470;
+            phi_845_ = _e513;
         }
-        let _e474 = phi_795_;
-        if !(_e474) {
-            let _e477 = samples.member[_e63.first_primitive].position;
-            let _e479 = p.member.current.eye;
-            let _e490 = p.member.current.forward;
-            phi_823_ = ((((_e477.x - _e479.x) * _e490.x) + ((_e477.y - _e479.y) * _e490.y)) + ((_e477.z - _e479.z) * _e490.z));
+        let _e517 = phi_845_;
+        if !(_e517) {
+            let _e520 = samples.member[_e63.first_primitive].position;
+            let _e522 = p.member.current.eye;
+            let _e533 = p.member.current.forward;
+            phi_873_ = ((((_e520.x - _e522.x) * _e533.x) + ((_e520.y - _e522.y) * _e533.y)) + ((_e520.z - _e522.z) * _e533.z));
         } else {
-            phi_823_ = 0f;
+            phi_873_ = 0f;
         }
-        let _e500 = phi_823_;
-        depths.member[_e63.first_primitive] = _e500;
-        phi_826_ = _e443.needs_ray;
-        phi_827_ = _e63.first_primitive;
+        let _e543 = phi_873_;
+        depths.member[_e63.first_primitive] = _e543;
+        phi_876_ = _e486.needs_ray;
+        phi_877_ = _e63.first_primitive;
     } else {
-        phi_826_ = false;
-        phi_827_ = 0u;
+        phi_876_ = false;
+        phi_877_ = 0u;
     }
-    let _e504 = phi_826_;
-    let _e506 = phi_827_;
+    let _e547 = phi_876_;
+    let _e549 = phi_877_;
     if (_e44 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e504 {
-        let _e510 = atomicAdd((&shared_[0u]), 1u);
-        phi_838_ = _e510;
+    if _e547 {
+        let _e553 = atomicAdd((&shared_[0u]), 1u);
+        phi_888_ = _e553;
     } else {
-        phi_838_ = 0u;
+        phi_888_ = 0u;
     }
-    let _e512 = phi_838_;
+    let _e555 = phi_888_;
     workgroupBarrier();
     if (_e44 == 0u) {
-        let _e516 = atomicLoad((&shared_[0u]));
-        let _e517 = atomicAdd((&list.member[3u]), _e516);
-        atomicStore((&shared_[1u]), _e517);
+        let _e559 = atomicLoad((&shared_[0u]));
+        let _e560 = atomicAdd((&list.member[3u]), _e559);
+        atomicStore((&shared_[1u]), _e560);
     }
     workgroupBarrier();
-    if _e504 {
-        let _e520 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e520) + _e512)]), _e506);
+    if _e547 {
+        let _e563 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e563) + _e555)]), _e549);
     }
     return;
 }

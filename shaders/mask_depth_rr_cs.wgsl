@@ -11,10 +11,19 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
-    light: vec4<f32>,
+    light: abi_LightParams,
     frame: u32,
     still_pattern: u32,
     moving_pattern: u32,
@@ -76,7 +85,7 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<atomic<u32>>,
 }
 
@@ -93,7 +102,7 @@ var<storage, read_write> bits: type_17;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_21;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_43;
+var<storage, read_write> list: type_44;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
@@ -102,229 +111,235 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_153_: lt_bvh_traverse_Tree;
-    var phi_154_: bool;
-    var phi_155_: lt_bvh_traverse_Tree;
-    var phi_156_: bool;
-    var phi_161_: lt_bvh_traverse_Tree;
+    var phi_156_: lt_bvh_traverse_Tree;
+    var phi_157_: bool;
+    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_159_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_153_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_154_ = false;
+            phi_156_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_157_ = false;
         } else {
-            phi_153_ = lt_bvh_traverse_Tree();
-            phi_154_ = true;
+            phi_156_ = lt_bvh_traverse_Tree();
+            phi_157_ = true;
         }
-        let _e56 = phi_153_;
-        let _e58 = phi_154_;
-        phi_155_ = _e56;
-        phi_156_ = _e58;
+        let _e56 = phi_156_;
+        let _e58 = phi_157_;
+        phi_158_ = _e56;
+        phi_159_ = _e58;
     } else {
-        phi_155_ = lt_bvh_traverse_Tree();
-        phi_156_ = true;
+        phi_158_ = lt_bvh_traverse_Tree();
+        phi_159_ = true;
     }
-    let _e60 = phi_155_;
-    let _e62 = phi_156_;
+    let _e60 = phi_158_;
+    let _e62 = phi_159_;
     if _e62 {
-        phi_161_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_164_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_161_ = _e60;
+        phi_164_ = _e60;
     }
-    let _e67 = phi_161_;
+    let _e67 = phi_164_;
     return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_179_: vec2<i32>;
+    var phi_182_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_179_ = vec2(0i);
+            phi_182_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_179_ = vec2<i32>(0i, -1i);
+            phi_182_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_179_ = vec2<i32>(-1i, 0i);
+            phi_182_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_179_ = vec2<i32>(1i, 0i);
+            phi_182_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_179_ = vec2<i32>(0i, 1i);
+            phi_182_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e52 = phi_179_;
+    let _e52 = phi_182_;
     return vec2<i32>(_e52.x, _e52.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_197_: vec2<i32>;
+    var phi_200_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_197_ = vec2(0i);
+            phi_200_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_197_ = vec2(-1i);
+            phi_200_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_197_ = vec2<i32>(1i, -1i);
+            phi_200_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_197_ = vec2<i32>(-1i, 1i);
+            phi_200_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_197_ = vec2(1i);
+            phi_200_ = vec2(1i);
             break;
         }
     }
-    let _e52 = phi_197_;
+    let _e52 = phi_200_;
     return vec2<i32>(_e52.x, _e52.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_216_: vec2<i32>;
+    var phi_219_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e46 = lt_mask_pattern_plus(param_5);
-        phi_216_ = vec2<i32>(_e46.x, _e46.y);
+        phi_219_ = vec2<i32>(_e46.x, _e46.y);
     } else {
         let _e50 = lt_mask_pattern_cross(param_5);
-        phi_216_ = vec2<i32>(_e50.x, _e50.y);
+        phi_219_ = vec2<i32>(_e50.x, _e50.y);
     }
-    let _e55 = phi_216_;
+    let _e55 = phi_219_;
     return vec2<i32>(_e55.x, _e55.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_241_: vec2<i32>;
+    var phi_244_: vec2<i32>;
 
     let _e44 = (param_7 % 13u);
     switch bitcast<i32>(_e44) {
         case 9: {
-            phi_241_ = vec2<i32>(0i, -2i);
+            phi_244_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_241_ = vec2<i32>(-2i, 0i);
+            phi_244_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_241_ = vec2<i32>(2i, 0i);
+            phi_244_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_241_ = vec2<i32>(0i, 2i);
+            phi_244_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_241_ = vec2<i32>((bitcast<i32>((_e44 % 3u)) - 1i), (bitcast<i32>(((_e44 / 3u) % 3u)) - 1i));
+            phi_244_ = vec2<i32>((bitcast<i32>((_e44 % 3u)) - 1i), (bitcast<i32>(((_e44 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e59 = phi_241_;
+    let _e59 = phi_244_;
     return vec2<i32>(_e59.x, _e59.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_262_: u32;
-    var phi_263_: u32;
+    var phi_265_: u32;
+    var phi_266_: u32;
 
     let _e47 = (bitcast<i32>(param_8) + param_9);
     if (_e47 < 0i) {
-        phi_263_ = 0u;
+        phi_266_ = 0u;
     } else {
         if (_e47 >= bitcast<i32>(param_10)) {
-            phi_262_ = (param_10 - 1u);
+            phi_265_ = (param_10 - 1u);
         } else {
-            phi_262_ = bitcast<u32>(_e47);
+            phi_265_ = bitcast<u32>(_e47);
         }
-        let _e54 = phi_262_;
-        phi_263_ = _e54;
+        let _e54 = phi_265_;
+        phi_266_ = _e54;
     }
-    let _e56 = phi_263_;
+    let _e56 = phi_266_;
     return _e56;
 }
 
 fn function_() {
-    var phi_329_: bool;
-    var phi_330_: bool;
     var phi_331_: bool;
     var phi_332_: bool;
-    var phi_336_: bool;
-    var phi_380_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_384_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_397_: bool;
-    var phi_453_: bool;
-    var phi_457_: f32;
-    var phi_468_: bool;
-    var phi_481_: bool;
-    var phi_492_: bool;
-    var phi_493_: bool;
-    var phi_494_: bool;
-    var phi_495_: bool;
-    var phi_496_: bool;
-    var phi_497_: bool;
-    var phi_501_: bool;
-    var phi_506_: bool;
-    var phi_520_: u32;
-    var phi_522_: u32;
-    var phi_525_: lt_mask_Neighbourhood;
-    var phi_537_: bool;
-    var phi_538_: bool;
-    var phi_547_: u32;
-    var phi_548_: u32;
-    var phi_608_: vec2<i32>;
-    var phi_628_: vec2<i32>;
-    var phi_651_: u32;
-    var phi_668_: bool;
-    var phi_669_: bool;
-    var phi_676_: bool;
-    var phi_677_: bool;
-    var phi_695_: bool;
-    var phi_696_: bool;
-    var phi_697_: bool;
-    var phi_523_: u32;
-    var phi_526_: lt_mask_Neighbourhood;
-    var phi_700_: lt_mask_Neighbourhood;
-    var phi_701_: lt_mask_Neighbourhood;
+    var phi_333_: bool;
+    var phi_334_: bool;
+    var phi_338_: bool;
+    var phi_408_: bool;
+    var phi_409_: bool;
+    var phi_420_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_421_: bool;
+    var phi_422_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_423_: bool;
+    var phi_430_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_434_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_447_: bool;
+    var phi_503_: bool;
+    var phi_507_: f32;
+    var phi_518_: bool;
+    var phi_531_: bool;
+    var phi_542_: bool;
+    var phi_543_: bool;
+    var phi_544_: bool;
+    var phi_545_: bool;
+    var phi_546_: bool;
+    var phi_547_: bool;
+    var phi_551_: bool;
+    var phi_556_: bool;
+    var phi_570_: u32;
+    var phi_572_: u32;
+    var phi_575_: lt_mask_Neighbourhood;
+    var phi_587_: bool;
+    var phi_588_: bool;
+    var phi_597_: u32;
+    var phi_598_: u32;
+    var phi_658_: vec2<i32>;
+    var phi_678_: vec2<i32>;
+    var phi_701_: u32;
+    var phi_718_: bool;
+    var phi_719_: bool;
     var phi_726_: bool;
     var phi_727_: bool;
-    var phi_740_: bool;
-    var phi_741_: bool;
-    var phi_742_: bool;
-    var phi_749_: u32;
-    var phi_750_: u32;
-    var phi_751_: u32;
-    var phi_752_: u32;
-    var phi_753_: u32;
-    var phi_761_: bool;
-    var phi_769_: u32;
-    var phi_774_: u32;
-    var phi_778_: u32;
-    var phi_779_: u32;
-    var phi_783_: f32;
-    var phi_785_: mask_Masked;
-    var phi_813_: bool;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_816_: bool;
-    var phi_820_: bool;
-    var phi_848_: f32;
-    var phi_851_: bool;
-    var phi_852_: u32;
-    var phi_863_: u32;
+    var phi_745_: bool;
+    var phi_746_: bool;
+    var phi_747_: bool;
+    var phi_573_: u32;
+    var phi_576_: lt_mask_Neighbourhood;
+    var phi_750_: lt_mask_Neighbourhood;
+    var phi_751_: lt_mask_Neighbourhood;
+    var phi_776_: bool;
+    var phi_777_: bool;
+    var phi_790_: bool;
+    var phi_791_: bool;
+    var phi_792_: bool;
+    var phi_799_: u32;
+    var phi_800_: u32;
+    var phi_801_: u32;
+    var phi_802_: u32;
+    var phi_803_: u32;
+    var phi_811_: bool;
+    var phi_819_: u32;
+    var phi_824_: u32;
+    var phi_828_: u32;
+    var phi_829_: u32;
+    var phi_833_: f32;
+    var phi_835_: mask_Masked;
+    var phi_863_: bool;
+    var phi_864_: bool;
+    var phi_865_: bool;
+    var phi_866_: bool;
+    var phi_870_: bool;
+    var phi_898_: f32;
+    var phi_901_: bool;
+    var phi_902_: u32;
+    var phi_913_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e43 = id_1;
@@ -336,519 +351,558 @@ fn function_() {
         let _e71 = p.member.current.size[0u];
         let _e74 = samples.member[_e63.first_primitive].position;
         let _e76 = visibility.member[_e63.first_primitive];
-        let _e80 = p.member.light;
-        let _e83 = samples.member[_e63.first_primitive].normal[0u];
-        let _e85 = global[0u];
-        if (_e83 == _e85) {
-            let _e88 = samples.member[_e63.first_primitive].normal[1u];
-            let _e90 = global[1u];
-            if (_e88 == _e90) {
-                let _e93 = samples.member[_e63.first_primitive].normal[2u];
-                let _e95 = global[2u];
-                phi_329_ = (_e93 == _e95);
-                phi_330_ = false;
+        let _e82 = samples.member[_e63.first_primitive].normal[0u];
+        let _e84 = global[0u];
+        if (_e82 == _e84) {
+            let _e87 = samples.member[_e63.first_primitive].normal[1u];
+            let _e89 = global[1u];
+            if (_e87 == _e89) {
+                let _e92 = samples.member[_e63.first_primitive].normal[2u];
+                let _e94 = global[2u];
+                phi_331_ = (_e92 == _e94);
+                phi_332_ = false;
             } else {
-                phi_329_ = bool();
-                phi_330_ = true;
+                phi_331_ = bool();
+                phi_332_ = true;
             }
-            let _e98 = phi_329_;
-            let _e100 = phi_330_;
-            phi_331_ = _e98;
-            phi_332_ = _e100;
+            let _e97 = phi_331_;
+            let _e99 = phi_332_;
+            phi_333_ = _e97;
+            phi_334_ = _e99;
         } else {
-            phi_331_ = bool();
-            phi_332_ = true;
+            phi_333_ = bool();
+            phi_334_ = true;
         }
-        let _e102 = phi_331_;
-        let _e104 = phi_332_;
-        if _e104 {
-            phi_336_ = false;
+        let _e101 = phi_333_;
+        let _e103 = phi_334_;
+        if _e103 {
+            phi_338_ = false;
         } else {
-            phi_336_ = _e102;
+            phi_338_ = _e101;
         }
-        let _e106 = phi_336_;
-        if !(_e106) {
-            let _e109 = samples.member[_e63.first_primitive].normal;
-            let _e111 = samples.member[_e63.first_primitive].position;
-            if ((((_e109.x * (_e80.x - (_e111.x * _e80.w))) + (_e109.y * (_e80.y - (_e111.y * _e80.w)))) + (_e109.z * (_e80.z - (_e111.z * _e80.w)))) > 0f) {
-                let _e135 = samples.member[_e63.first_primitive].flags;
-                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
-                phi_380_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, ((_e135 & 1u) == 0u));
+        let _e105 = phi_338_;
+        if !(_e105) {
+            let _e108 = samples.member[_e63.first_primitive].position;
+            let _e110 = p.member.light.place;
+            let _e116 = p.member.light.place[3u];
+            let _e123 = (_e110.x - (_e108.x * _e116));
+            let _e124 = (_e110.y - (_e108.y * _e116));
+            let _e125 = (_e110.z - (_e108.z * _e116));
+            let _e127 = samples.member[_e63.first_primitive].normal;
+            if ((((_e127.x * _e123) + (_e127.y * _e124)) + (_e127.z * _e125)) > 0f) {
+                let _e141 = (((_e123 * _e123) + (_e124 * _e124)) + (_e125 * _e125));
+                let _e143 = p.member.light.axis;
+                let _e155 = p.member.light.place[3u];
+                if (_e155 == 0f) {
+                    phi_409_ = true;
+                } else {
+                    let _e158 = p.member.light.range_squared;
+                    if (_e141 <= _e158) {
+                        let _e161 = p.member.light.cos_outer;
+                        phi_408_ = (-((((_e123 * _e143.x) + (_e124 * _e143.y)) + (_e125 * _e143.z))) >= (_e161 * sqrt(_e141)));
+                    } else {
+                        phi_408_ = false;
+                    }
+                    let _e166 = phi_408_;
+                    phi_409_ = _e166;
+                }
+                let _e168 = phi_409_;
+                if _e168 {
+                    let _e170 = samples.member[_e63.first_primitive].flags;
+                    let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e178.unnamed.visibility, false), _e178.unnamed_1);
+                    phi_420_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e184.unnamed, ((_e170 & 1u) == 0u));
+                    phi_421_ = false;
+                } else {
+                    phi_420_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_421_ = true;
+                }
+                let _e189 = phi_420_;
+                let _e191 = phi_421_;
+                phi_422_ = _e189;
+                phi_423_ = _e191;
             } else {
-                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
-                phi_380_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
+                phi_422_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_423_ = true;
             }
-            let _e169 = phi_380_;
-            phi_384_ = _e169;
+            let _e193 = phi_422_;
+            let _e195 = phi_423_;
+            if _e195 {
+                let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e201.unnamed.visibility, false), _e201.unnamed_1);
+                phi_430_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e207.unnamed, true);
+            } else {
+                phi_430_ = _e193;
+            }
+            let _e212 = phi_430_;
+            phi_434_ = _e212;
         } else {
-            let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e175.unnamed.visibility, false), _e175.unnamed_1);
-            phi_384_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e181.unnamed, true);
+            let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
+            phi_434_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, true);
         }
-        let _e186 = phi_384_;
-        if _e186.unnamed_1 {
-            phi_785_ = mask_Masked(_e186.unnamed.visibility, 0u, false);
+        let _e229 = phi_434_;
+        if _e229.unnamed_1 {
+            phi_835_ = mask_Masked(_e229.unnamed.visibility, 0u, false);
         } else {
-            let _e191 = (_e76 < 0.5f);
+            let _e234 = (_e76 < 0.5f);
             if (_e76 > 0f) {
-                phi_397_ = (_e76 < 1f);
+                phi_447_ = (_e76 < 1f);
             } else {
-                phi_397_ = false;
+                phi_447_ = false;
             }
-            let _e195 = phi_397_;
-            let _e198 = p.member.previous.eye;
-            let _e209 = p.member.previous.forward;
-            let _e217 = ((((_e74.x - _e198.x) * _e209.x) + ((_e74.y - _e198.y) * _e209.y)) + ((_e74.z - _e198.z) * _e209.z));
-            let _e219 = ((_e43.y * _e71) + _e43.x);
-            if (_e219 < arrayLength((&last_depths.member))) {
+            let _e238 = phi_447_;
+            let _e241 = p.member.previous.eye;
+            let _e252 = p.member.previous.forward;
+            let _e260 = ((((_e74.x - _e241.x) * _e252.x) + ((_e74.y - _e241.y) * _e252.y)) + ((_e74.z - _e241.z) * _e252.z));
+            let _e262 = ((_e43.y * _e71) + _e43.x);
+            if (_e262 < arrayLength((&last_depths.member))) {
             } else {
                 return;
             }
-            let _e223 = last_depths.member[(0u + _e219)];
-            let _e225 = p.member.depth_tolerance;
-            let _e228 = abs(_e217);
-            let _e229 = abs(_e223);
-            if ((bitcast<u32>(_e229) & 2147483647u) > 2139095040u) {
-                phi_453_ = true;
+            let _e266 = last_depths.member[(0u + _e262)];
+            let _e268 = p.member.depth_tolerance;
+            let _e271 = abs(_e260);
+            let _e272 = abs(_e266);
+            if ((bitcast<u32>(_e272) & 2147483647u) > 2139095040u) {
+                phi_503_ = true;
             } else {
-                let _e233 = (_e229 > _e228);
-                if _e233 {
+                let _e276 = (_e272 > _e271);
+                if _e276 {
                 }
-                phi_453_ = _e233;
+                phi_503_ = _e276;
             }
-            let _e235 = phi_453_;
-            if _e235 {
-                phi_457_ = _e229;
+            let _e278 = phi_503_;
+            if _e278 {
+                phi_507_ = _e272;
             } else {
-                phi_457_ = _e228;
+                phi_507_ = _e271;
             }
-            let _e237 = phi_457_;
-            if (abs((_e217 - _e223)) <= (_e225 * _e237)) {
-                let _e241 = p.member.flags;
-                phi_468_ = ((_e241 & 1u) != 0u);
+            let _e280 = phi_507_;
+            if (abs((_e260 - _e266)) <= (_e268 * _e280)) {
+                let _e284 = p.member.flags;
+                phi_518_ = ((_e284 & 1u) != 0u);
             } else {
-                phi_468_ = false;
+                phi_518_ = false;
             }
-            let _e245 = phi_468_;
-            let _e247 = p.member.flags;
+            let _e288 = phi_518_;
+            let _e290 = p.member.flags;
             if false {
-                let _e251 = p.member.flags;
-                phi_481_ = ((_e251 & 4u) == 0u);
+                let _e294 = p.member.flags;
+                phi_531_ = ((_e294 & 4u) == 0u);
             } else {
-                phi_481_ = false;
+                phi_531_ = false;
             }
-            let _e255 = phi_481_;
-            if ((_e247 & 2u) != 0u) {
+            let _e298 = phi_531_;
+            if ((_e290 & 2u) != 0u) {
                 if false {
-                    phi_494_ = bool();
-                    phi_495_ = true;
+                    phi_544_ = bool();
+                    phi_545_ = true;
                 } else {
                     if true {
-                        phi_492_ = !(_e255);
-                        phi_493_ = false;
+                        phi_542_ = !(_e298);
+                        phi_543_ = false;
                     } else {
-                        phi_492_ = bool();
-                        phi_493_ = true;
+                        phi_542_ = bool();
+                        phi_543_ = true;
                     }
-                    let _e258 = phi_492_;
-                    let _e260 = phi_493_;
-                    phi_494_ = _e258;
-                    phi_495_ = _e260;
+                    let _e301 = phi_542_;
+                    let _e303 = phi_543_;
+                    phi_544_ = _e301;
+                    phi_545_ = _e303;
                 }
-                let _e262 = phi_494_;
-                let _e264 = phi_495_;
-                phi_496_ = _e262;
-                phi_497_ = _e264;
+                let _e305 = phi_544_;
+                let _e307 = phi_545_;
+                phi_546_ = _e305;
+                phi_547_ = _e307;
             } else {
-                phi_496_ = bool();
-                phi_497_ = true;
+                phi_546_ = bool();
+                phi_547_ = true;
             }
-            let _e266 = phi_496_;
-            let _e268 = phi_497_;
-            if _e268 {
-                phi_501_ = false;
+            let _e309 = phi_546_;
+            let _e311 = phi_547_;
+            if _e311 {
+                phi_551_ = false;
             } else {
-                phi_501_ = _e266;
+                phi_551_ = _e309;
             }
-            let _e270 = phi_501_;
-            let _e271 = lt_mask_Neighbourhood(false, true);
-            if _e195 {
-                phi_506_ = _e270;
+            let _e313 = phi_551_;
+            let _e314 = lt_mask_Neighbourhood(false, true);
+            if _e238 {
+                phi_556_ = _e313;
             } else {
-                phi_506_ = false;
+                phi_556_ = false;
             }
-            let _e273 = phi_506_;
-            if _e273 {
-                if _e245 {
+            let _e316 = phi_556_;
+            if _e316 {
+                if _e288 {
                     if false {
-                        let _e275 = p.member.moving_pattern;
-                        phi_520_ = _e275;
+                        let _e318 = p.member.moving_pattern;
+                        phi_570_ = _e318;
                     } else {
-                        let _e277 = p.member.still_pattern;
-                        phi_520_ = _e277;
+                        let _e320 = p.member.still_pattern;
+                        phi_570_ = _e320;
                     }
-                    let _e279 = phi_520_;
-                    phi_522_ = 0u;
-                    phi_525_ = _e271;
+                    let _e322 = phi_570_;
+                    phi_572_ = 0u;
+                    phi_575_ = _e314;
                     loop {
-                        let _e281 = phi_522_;
-                        let _e283 = phi_525_;
-                        local_1 = _e283;
-                        if (1u <= _e279) {
-                            if (_e279 <= 4u) {
-                                phi_537_ = false;
+                        let _e324 = phi_572_;
+                        let _e326 = phi_575_;
+                        local_1 = _e326;
+                        if (1u <= _e322) {
+                            if (_e322 <= 4u) {
+                                phi_587_ = false;
                             } else {
-                                phi_537_ = true;
+                                phi_587_ = true;
                             }
-                            let _e287 = phi_537_;
-                            phi_538_ = _e287;
+                            let _e330 = phi_587_;
+                            phi_588_ = _e330;
                         } else {
-                            phi_538_ = true;
+                            phi_588_ = true;
                         }
-                        let _e289 = phi_538_;
-                        if _e289 {
-                            switch bitcast<i32>(_e279) {
+                        let _e332 = phi_588_;
+                        if _e332 {
+                            switch bitcast<i32>(_e322) {
                                 case 5: {
-                                    phi_547_ = 4u;
+                                    phi_597_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_547_ = 25u;
+                                    phi_597_ = 25u;
                                     break;
                                 }
                                 case 7: {
-                                    phi_547_ = 13u;
+                                    phi_597_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_547_ = 9u;
+                                    phi_597_ = 9u;
                                     break;
                                 }
                             }
-                            let _e292 = phi_547_;
-                            phi_548_ = _e292;
+                            let _e335 = phi_597_;
+                            phi_598_ = _e335;
                         } else {
-                            phi_548_ = 5u;
+                            phi_598_ = 5u;
                         }
-                        let _e294 = phi_548_;
-                        let _e295 = (_e281 < _e294);
-                        if _e295 {
-                            let _e297 = p.member.frame;
-                            let _e301 = p.member.current.size[0u];
-                            let _e303 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e279) {
+                        let _e337 = phi_598_;
+                        let _e338 = (_e324 < _e337);
+                        if _e338 {
+                            let _e340 = p.member.frame;
+                            let _e344 = p.member.current.size[0u];
+                            let _e346 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e322) {
                                 case 1: {
-                                    let _e313 = lt_mask_pattern_plus(_e281);
-                                    phi_628_ = vec2<i32>(_e313.x, _e313.y);
+                                    let _e356 = lt_mask_pattern_plus(_e324);
+                                    phi_678_ = vec2<i32>(_e356.x, _e356.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e317 = lt_mask_pattern_cross(_e281);
-                                    phi_628_ = vec2<i32>(_e317.x, _e317.y);
+                                    let _e360 = lt_mask_pattern_cross(_e324);
+                                    phi_678_ = vec2<i32>(_e360.x, _e360.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e323 = lt_mask_pattern_plus_or_cross(_e281, ((_e43.x + _e43.y) & 1u));
-                                    phi_628_ = vec2<i32>(_e323.x, _e323.y);
+                                    let _e366 = lt_mask_pattern_plus_or_cross(_e324, ((_e43.x + _e43.y) & 1u));
+                                    phi_678_ = vec2<i32>(_e366.x, _e366.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e328 = lt_mask_pattern_plus_or_cross(_e281, (_e297 & 1u));
-                                    phi_628_ = vec2<i32>(_e328.x, _e328.y);
+                                    let _e371 = lt_mask_pattern_plus_or_cross(_e324, (_e340 & 1u));
+                                    phi_678_ = vec2<i32>(_e371.x, _e371.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e297 & 3u)) {
+                                    switch bitcast<i32>((_e340 & 3u)) {
                                         case 0: {
-                                            phi_608_ = vec2(-1i);
+                                            phi_658_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_608_ = vec2(0i);
+                                            phi_658_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_608_ = vec2<i32>(0i, -1i);
+                                            phi_658_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_608_ = vec2<i32>(-1i, 0i);
+                                            phi_658_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e339 = phi_608_;
-                                    phi_628_ = (_e339 + vec2<i32>(bitcast<i32>((_e281 & 1u)), bitcast<i32>(((_e281 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e382 = phi_658_;
+                                    phi_678_ = (_e382 + vec2<i32>(bitcast<i32>((_e324 & 1u)), bitcast<i32>(((_e324 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_628_ = vec2<i32>((bitcast<i32>((_e281 % 5u)) - 2i), (bitcast<i32>(((_e281 / 5u) % 5u)) - 2i));
+                                    phi_678_ = vec2<i32>((bitcast<i32>((_e324 % 5u)) - 2i), (bitcast<i32>(((_e324 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 case 7: {
-                                    let _e356 = lt_mask_pattern_diamond(_e281);
-                                    phi_628_ = vec2<i32>(_e356.x, _e356.y);
+                                    let _e399 = lt_mask_pattern_diamond(_e324);
+                                    phi_678_ = vec2<i32>(_e399.x, _e399.y);
                                     break;
                                 }
                                 default: {
-                                    phi_628_ = vec2<i32>((bitcast<i32>((_e281 % 3u)) - 1i), (bitcast<i32>(((_e281 / 3u) % 3u)) - 1i));
+                                    phi_678_ = vec2<i32>((bitcast<i32>((_e324 % 3u)) - 1i), (bitcast<i32>(((_e324 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e361 = phi_628_;
-                            let _e364 = lt_mask_pattern_step_clamped(_e43.x, _e361.x, _e301);
-                            let _e365 = lt_mask_pattern_step_clamped(_e43.y, _e361.y, _e303);
-                            let _e367 = ((_e365 * _e71) + _e364);
-                            if (_e367 < arrayLength((&last_bits.member))) {
+                            let _e404 = phi_678_;
+                            let _e407 = lt_mask_pattern_step_clamped(_e43.x, _e404.x, _e344);
+                            let _e408 = lt_mask_pattern_step_clamped(_e43.y, _e404.y, _e346);
+                            let _e410 = ((_e408 * _e71) + _e407);
+                            if (_e410 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e371 = last_bits.member[(0u + _e367)];
-                            if ((_e371 & 2u) == 0u) {
-                                phi_651_ = (_e371 & 1u);
+                            let _e414 = last_bits.member[(0u + _e410)];
+                            if ((_e414 & 2u) == 0u) {
+                                phi_701_ = (_e414 & 1u);
                             } else {
-                                phi_651_ = (_e371 & 7u);
+                                phi_701_ = (_e414 & 7u);
                             }
-                            let _e377 = phi_651_;
-                            if _e283.any_expands {
-                                phi_677_ = true;
+                            let _e420 = phi_701_;
+                            if _e326.any_expands {
+                                phi_727_ = true;
                             } else {
-                                if ((_e377 & 2u) != 0u) {
-                                    if (((_e377 & 4u) != 0u) != _e191) {
-                                        phi_668_ = false;
+                                if ((_e420 & 2u) != 0u) {
+                                    if (((_e420 & 4u) != 0u) != _e234) {
+                                        phi_718_ = false;
                                     } else {
-                                        phi_668_ = true;
+                                        phi_718_ = true;
                                     }
-                                    let _e386 = phi_668_;
-                                    phi_669_ = _e386;
+                                    let _e429 = phi_718_;
+                                    phi_719_ = _e429;
                                 } else {
-                                    phi_669_ = true;
+                                    phi_719_ = true;
                                 }
-                                let _e388 = phi_669_;
-                                if _e388 {
-                                    phi_676_ = (((_e377 & 1u) != 0u) != _e191);
+                                let _e431 = phi_719_;
+                                if _e431 {
+                                    phi_726_ = (((_e420 & 1u) != 0u) != _e234);
                                 } else {
-                                    phi_676_ = true;
+                                    phi_726_ = true;
                                 }
-                                let _e393 = phi_676_;
-                                phi_677_ = _e393;
+                                let _e436 = phi_726_;
+                                phi_727_ = _e436;
                             }
-                            let _e395 = phi_677_;
-                            if _e283.all_remove {
-                                if (((_e377 & 1u) != 0u) == _e191) {
-                                    if ((_e377 & 2u) != 0u) {
-                                        phi_695_ = (((_e377 & 4u) != 0u) == _e191);
+                            let _e438 = phi_727_;
+                            if _e326.all_remove {
+                                if (((_e420 & 1u) != 0u) == _e234) {
+                                    if ((_e420 & 2u) != 0u) {
+                                        phi_745_ = (((_e420 & 4u) != 0u) == _e234);
                                     } else {
-                                        phi_695_ = true;
+                                        phi_745_ = true;
                                     }
-                                    let _e405 = phi_695_;
-                                    phi_696_ = _e405;
+                                    let _e448 = phi_745_;
+                                    phi_746_ = _e448;
                                 } else {
-                                    phi_696_ = false;
+                                    phi_746_ = false;
                                 }
-                                let _e407 = phi_696_;
-                                phi_697_ = _e407;
+                                let _e450 = phi_746_;
+                                phi_747_ = _e450;
                             } else {
-                                phi_697_ = false;
+                                phi_747_ = false;
                             }
-                            let _e409 = phi_697_;
-                            phi_523_ = (_e281 + 1u);
-                            phi_526_ = lt_mask_Neighbourhood(_e395, _e409);
+                            let _e452 = phi_747_;
+                            phi_573_ = (_e324 + 1u);
+                            phi_576_ = lt_mask_Neighbourhood(_e438, _e452);
                         } else {
-                            phi_523_ = u32();
-                            phi_526_ = lt_mask_Neighbourhood();
+                            phi_573_ = u32();
+                            phi_576_ = lt_mask_Neighbourhood();
                         }
-                        let _e413 = phi_523_;
-                        let _e415 = phi_526_;
+                        let _e456 = phi_573_;
+                        let _e458 = phi_576_;
                         continue;
                         continuing {
-                            phi_522_ = _e413;
-                            phi_525_ = _e415;
-                            break if !(_e295);
+                            phi_572_ = _e456;
+                            phi_575_ = _e458;
+                            break if !(_e338);
                         }
                     }
-                    let _e586 = local_1;
-                    phi_700_ = _e586;
+                    let _e635 = local_1;
+                    phi_750_ = _e635;
                 } else {
-                    phi_700_ = _e271;
+                    phi_750_ = _e314;
                 }
-                let _e418 = phi_700_;
-                phi_701_ = _e418;
+                let _e461 = phi_750_;
+                phi_751_ = _e461;
             } else {
-                phi_701_ = _e271;
+                phi_751_ = _e314;
             }
-            let _e420 = phi_701_;
+            let _e463 = phi_751_;
             if (_e76 != 0.5f) {
-                if _e245 {
-                    if _e195 {
-                        phi_727_ = true;
+                if _e288 {
+                    if _e238 {
+                        phi_777_ = true;
                     } else {
-                        if _e420.any_expands {
-                            phi_726_ = false;
+                        if _e463.any_expands {
+                            phi_776_ = false;
                         } else {
-                            phi_726_ = true;
+                            phi_776_ = true;
                         }
-                        let _e425 = phi_726_;
-                        phi_727_ = _e425;
+                        let _e468 = phi_776_;
+                        phi_777_ = _e468;
                     }
-                    let _e427 = phi_727_;
-                    if _e427 {
-                        if _e195 {
-                            if _e270 {
-                                if _e420.all_remove {
-                                    phi_740_ = false;
+                    let _e470 = phi_777_;
+                    if _e470 {
+                        if _e238 {
+                            if _e313 {
+                                if _e463.all_remove {
+                                    phi_790_ = false;
                                 } else {
-                                    phi_740_ = true;
+                                    phi_790_ = true;
                                 }
-                                let _e429 = phi_740_;
-                                phi_741_ = _e429;
+                                let _e472 = phi_790_;
+                                phi_791_ = _e472;
                             } else {
-                                phi_741_ = true;
+                                phi_791_ = true;
                             }
-                            let _e431 = phi_741_;
-                            phi_742_ = _e431;
+                            let _e474 = phi_791_;
+                            phi_792_ = _e474;
                         } else {
-                            phi_742_ = true;
+                            phi_792_ = true;
                         }
-                        let _e433 = phi_742_;
-                        if _e433 {
-                            if _e195 {
-                                phi_749_ = 1u;
+                        let _e476 = phi_792_;
+                        if _e476 {
+                            if _e238 {
+                                phi_799_ = 1u;
                             } else {
-                                phi_749_ = 0u;
+                                phi_799_ = 0u;
                             }
-                            let _e435 = phi_749_;
-                            phi_750_ = _e435;
+                            let _e478 = phi_799_;
+                            phi_800_ = _e478;
                         } else {
-                            phi_750_ = 5u;
+                            phi_800_ = 5u;
                         }
-                        let _e437 = phi_750_;
-                        phi_751_ = _e437;
+                        let _e480 = phi_800_;
+                        phi_801_ = _e480;
                     } else {
-                        phi_751_ = 4u;
+                        phi_801_ = 4u;
                     }
-                    let _e439 = phi_751_;
-                    phi_752_ = _e439;
+                    let _e482 = phi_801_;
+                    phi_802_ = _e482;
                 } else {
-                    phi_752_ = 3u;
+                    phi_802_ = 3u;
                 }
-                let _e441 = phi_752_;
-                phi_753_ = _e441;
+                let _e484 = phi_802_;
+                phi_803_ = _e484;
             } else {
-                phi_753_ = 2u;
+                phi_803_ = 2u;
             }
-            let _e443 = phi_753_;
-            if !((_e443 == 0u)) {
-                phi_761_ = !((_e443 == 5u));
+            let _e486 = phi_803_;
+            if !((_e486 == 0u)) {
+                phi_811_ = !((_e486 == 5u));
             } else {
-                phi_761_ = false;
+                phi_811_ = false;
             }
-            let _e449 = phi_761_;
-            if _e449 {
-                if _e191 {
-                    phi_769_ = (2u | 1u);
+            let _e492 = phi_811_;
+            if _e492 {
+                if _e234 {
+                    phi_819_ = (2u | 1u);
                 } else {
-                    phi_769_ = 2u;
+                    phi_819_ = 2u;
                 }
-                let _e452 = phi_769_;
+                let _e495 = phi_819_;
                 if false {
-                    phi_774_ = (_e452 | 4u);
+                    phi_824_ = (_e495 | 4u);
                 } else {
-                    phi_774_ = _e452;
+                    phi_824_ = _e495;
                 }
-                let _e455 = phi_774_;
-                phi_779_ = _e455;
+                let _e498 = phi_824_;
+                phi_829_ = _e498;
             } else {
-                if _e191 {
-                    phi_778_ = 1u;
+                if _e234 {
+                    phi_828_ = 1u;
                 } else {
-                    phi_778_ = 0u;
+                    phi_828_ = 0u;
                 }
-                let _e457 = phi_778_;
-                phi_779_ = _e457;
+                let _e500 = phi_828_;
+                phi_829_ = _e500;
             }
-            let _e459 = phi_779_;
-            if _e191 {
-                phi_783_ = 0f;
+            let _e502 = phi_829_;
+            if _e234 {
+                phi_833_ = 0f;
             } else {
-                phi_783_ = 1f;
+                phi_833_ = 1f;
             }
-            let _e461 = phi_783_;
-            phi_785_ = mask_Masked(_e461, _e459, _e449);
+            let _e504 = phi_833_;
+            phi_835_ = mask_Masked(_e504, _e502, _e492);
         }
-        let _e464 = phi_785_;
-        visibility.member[_e63.first_primitive] = _e464.visibility;
-        bits.member[_e63.first_primitive] = _e464.bits;
-        let _e472 = samples.member[_e63.first_primitive].normal[0u];
-        let _e474 = global[0u];
-        if (_e472 == _e474) {
-            let _e477 = samples.member[_e63.first_primitive].normal[1u];
-            let _e479 = global[1u];
-            if (_e477 == _e479) {
-                let _e482 = samples.member[_e63.first_primitive].normal[2u];
-                let _e484 = global[2u];
-                phi_813_ = (_e482 == _e484);
-                phi_814_ = false;
+        let _e507 = phi_835_;
+        visibility.member[_e63.first_primitive] = _e507.visibility;
+        bits.member[_e63.first_primitive] = _e507.bits;
+        let _e515 = samples.member[_e63.first_primitive].normal[0u];
+        let _e517 = global[0u];
+        if (_e515 == _e517) {
+            let _e520 = samples.member[_e63.first_primitive].normal[1u];
+            let _e522 = global[1u];
+            if (_e520 == _e522) {
+                let _e525 = samples.member[_e63.first_primitive].normal[2u];
+                let _e527 = global[2u];
+                phi_863_ = (_e525 == _e527);
+                phi_864_ = false;
             } else {
-                phi_813_ = bool();
-                phi_814_ = true;
+                phi_863_ = bool();
+                phi_864_ = true;
             }
-            let _e487 = phi_813_;
-            let _e489 = phi_814_;
-            phi_815_ = _e487;
-            phi_816_ = _e489;
+            let _e530 = phi_863_;
+            let _e532 = phi_864_;
+            phi_865_ = _e530;
+            phi_866_ = _e532;
         } else {
-            phi_815_ = bool();
-            phi_816_ = true;
+            phi_865_ = bool();
+            phi_866_ = true;
         }
-        let _e491 = phi_815_;
-        let _e493 = phi_816_;
-        if _e493 {
-            phi_820_ = false;
+        let _e534 = phi_865_;
+        let _e536 = phi_866_;
+        if _e536 {
+            phi_870_ = false;
         } else {
-            phi_820_ = _e491;
+            phi_870_ = _e534;
         }
-        let _e495 = phi_820_;
-        if !(_e495) {
-            let _e498 = samples.member[_e63.first_primitive].position;
-            let _e500 = p.member.current.eye;
-            let _e511 = p.member.current.forward;
-            phi_848_ = ((((_e498.x - _e500.x) * _e511.x) + ((_e498.y - _e500.y) * _e511.y)) + ((_e498.z - _e500.z) * _e511.z));
+        let _e538 = phi_870_;
+        if !(_e538) {
+            let _e541 = samples.member[_e63.first_primitive].position;
+            let _e543 = p.member.current.eye;
+            let _e554 = p.member.current.forward;
+            phi_898_ = ((((_e541.x - _e543.x) * _e554.x) + ((_e541.y - _e543.y) * _e554.y)) + ((_e541.z - _e543.z) * _e554.z));
         } else {
-            phi_848_ = 0f;
+            phi_898_ = 0f;
         }
-        let _e521 = phi_848_;
-        depths.member[_e63.first_primitive] = _e521;
-        phi_851_ = _e464.needs_ray;
-        phi_852_ = _e63.first_primitive;
+        let _e564 = phi_898_;
+        depths.member[_e63.first_primitive] = _e564;
+        phi_901_ = _e507.needs_ray;
+        phi_902_ = _e63.first_primitive;
     } else {
-        phi_851_ = false;
-        phi_852_ = 0u;
+        phi_901_ = false;
+        phi_902_ = 0u;
     }
-    let _e525 = phi_851_;
-    let _e527 = phi_852_;
+    let _e568 = phi_901_;
+    let _e570 = phi_902_;
     if (_e44 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e525 {
-        let _e531 = atomicAdd((&shared_[0u]), 1u);
-        phi_863_ = _e531;
+    if _e568 {
+        let _e574 = atomicAdd((&shared_[0u]), 1u);
+        phi_913_ = _e574;
     } else {
-        phi_863_ = 0u;
+        phi_913_ = 0u;
     }
-    let _e533 = phi_863_;
+    let _e576 = phi_913_;
     workgroupBarrier();
     if (_e44 == 0u) {
-        let _e537 = atomicLoad((&shared_[0u]));
-        let _e538 = atomicAdd((&list.member[3u]), _e537);
-        atomicStore((&shared_[1u]), _e538);
+        let _e580 = atomicLoad((&shared_[0u]));
+        let _e581 = atomicAdd((&list.member[3u]), _e580);
+        atomicStore((&shared_[1u]), _e581);
     }
     workgroupBarrier();
-    if _e525 {
-        let _e541 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e541) + _e533)]), _e527);
+    if _e568 {
+        let _e584 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e584) + _e576)]), _e570);
     }
     return;
 }

@@ -11,10 +11,19 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
-    light: vec4<f32>,
+    light: abi_LightParams,
     frame: u32,
     still_pattern: u32,
     moving_pattern: u32,
@@ -76,7 +85,7 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_40 {
+struct type_43 {
     member: array<atomic<u32>>,
 }
 
@@ -93,217 +102,223 @@ var<storage, read_write> bits: type_17;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_21;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_40;
+var<storage, read_write> list: type_43;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_mask_pattern_step_clamped(param: u32, param_1: i32, param_2: u32) -> u32 {
-    var phi_715_: u32;
-    var phi_716_: u32;
+    var phi_768_: u32;
+    var phi_769_: u32;
 
     let _e43 = (bitcast<i32>(param) + param_1);
     if (_e43 < 0i) {
-        phi_716_ = 0u;
+        phi_769_ = 0u;
     } else {
         if (_e43 >= bitcast<i32>(param_2)) {
-            phi_715_ = (param_2 - 1u);
+            phi_768_ = (param_2 - 1u);
         } else {
-            phi_715_ = bitcast<u32>(_e43);
+            phi_768_ = bitcast<u32>(_e43);
         }
-        let _e50 = phi_715_;
-        phi_716_ = _e50;
+        let _e50 = phi_768_;
+        phi_769_ = _e50;
     }
-    let _e52 = phi_716_;
+    let _e52 = phi_769_;
     return _e52;
 }
 
 fn lt_mask_pattern_diamond(param_3: u32) -> vec2<i32> {
-    var phi_694_: vec2<i32>;
+    var phi_747_: vec2<i32>;
 
     let _e40 = (param_3 % 13u);
     switch bitcast<i32>(_e40) {
         case 9: {
-            phi_694_ = vec2<i32>(0i, -2i);
+            phi_747_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_694_ = vec2<i32>(-2i, 0i);
+            phi_747_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_694_ = vec2<i32>(2i, 0i);
+            phi_747_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_694_ = vec2<i32>(0i, 2i);
+            phi_747_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_694_ = vec2<i32>((bitcast<i32>((_e40 % 3u)) - 1i), (bitcast<i32>(((_e40 / 3u) % 3u)) - 1i));
+            phi_747_ = vec2<i32>((bitcast<i32>((_e40 % 3u)) - 1i), (bitcast<i32>(((_e40 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e55 = phi_694_;
+    let _e55 = phi_747_;
     return vec2<i32>(_e55.x, _e55.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_650_: vec2<i32>;
+    var phi_703_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_650_ = vec2(0i);
+            phi_703_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_650_ = vec2(-1i);
+            phi_703_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_650_ = vec2<i32>(1i, -1i);
+            phi_703_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_650_ = vec2<i32>(-1i, 1i);
+            phi_703_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_650_ = vec2(1i);
+            phi_703_ = vec2(1i);
             break;
         }
     }
-    let _e48 = phi_650_;
+    let _e48 = phi_703_;
     return vec2<i32>(_e48.x, _e48.y);
 }
 
 fn lt_mask_pattern_plus(param_5: u32) -> vec2<i32> {
-    var phi_632_: vec2<i32>;
+    var phi_685_: vec2<i32>;
 
     switch bitcast<i32>((param_5 % 5u)) {
         case 0: {
-            phi_632_ = vec2(0i);
+            phi_685_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_632_ = vec2<i32>(0i, -1i);
+            phi_685_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_632_ = vec2<i32>(-1i, 0i);
+            phi_685_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_632_ = vec2<i32>(1i, 0i);
+            phi_685_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_632_ = vec2<i32>(0i, 1i);
+            phi_685_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e48 = phi_632_;
+    let _e48 = phi_685_;
     return vec2<i32>(_e48.x, _e48.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_6: u32, param_7: u32) -> vec2<i32> {
-    var phi_669_: vec2<i32>;
+    var phi_722_: vec2<i32>;
 
     if (param_7 == 0u) {
         let _e42 = lt_mask_pattern_plus(param_6);
-        phi_669_ = vec2<i32>(_e42.x, _e42.y);
+        phi_722_ = vec2<i32>(_e42.x, _e42.y);
     } else {
         let _e46 = lt_mask_pattern_cross(param_6);
-        phi_669_ = vec2<i32>(_e46.x, _e46.y);
+        phi_722_ = vec2<i32>(_e46.x, _e46.y);
     }
-    let _e51 = phi_669_;
+    let _e51 = phi_722_;
     return vec2<i32>(_e51.x, _e51.y);
 }
 
 fn lt_shaders_entry_pixel_index(param_8: vec3<u32>, param_9: u32, param_10: u32) -> lt_bvh_traverse_Tree {
-    var phi_606_: lt_bvh_traverse_Tree;
-    var phi_607_: bool;
-    var phi_608_: lt_bvh_traverse_Tree;
-    var phi_609_: bool;
-    var phi_614_: lt_bvh_traverse_Tree;
+    var phi_659_: lt_bvh_traverse_Tree;
+    var phi_660_: bool;
+    var phi_661_: lt_bvh_traverse_Tree;
+    var phi_662_: bool;
+    var phi_667_: lt_bvh_traverse_Tree;
 
     if (param_8.x < param_9) {
         if (param_8.y < param_10) {
-            phi_606_ = lt_bvh_traverse_Tree(1u, ((param_8.y * param_9) + param_8.x));
-            phi_607_ = false;
+            phi_659_ = lt_bvh_traverse_Tree(1u, ((param_8.y * param_9) + param_8.x));
+            phi_660_ = false;
         } else {
-            phi_606_ = lt_bvh_traverse_Tree();
-            phi_607_ = true;
+            phi_659_ = lt_bvh_traverse_Tree();
+            phi_660_ = true;
         }
-        let _e52 = phi_606_;
-        let _e54 = phi_607_;
-        phi_608_ = _e52;
-        phi_609_ = _e54;
+        let _e52 = phi_659_;
+        let _e54 = phi_660_;
+        phi_661_ = _e52;
+        phi_662_ = _e54;
     } else {
-        phi_608_ = lt_bvh_traverse_Tree();
-        phi_609_ = true;
+        phi_661_ = lt_bvh_traverse_Tree();
+        phi_662_ = true;
     }
-    let _e56 = phi_608_;
-    let _e58 = phi_609_;
+    let _e56 = phi_661_;
+    let _e58 = phi_662_;
     if _e58 {
-        phi_614_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_667_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_614_ = _e56;
+        phi_667_ = _e56;
     }
-    let _e63 = phi_614_;
+    let _e63 = phi_667_;
     return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
 fn function_() {
-    var phi_183_: bool;
-    var phi_184_: bool;
-    var phi_185_: bool;
-    var phi_186_: bool;
+    var phi_188_: bool;
+    var phi_189_: bool;
     var phi_190_: bool;
-    var phi_234_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_238_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_251_: bool;
-    var phi_285_: u32;
-    var phi_287_: u32;
-    var phi_290_: lt_mask_Neighbourhood;
-    var phi_302_: bool;
-    var phi_303_: bool;
-    var phi_312_: u32;
-    var phi_313_: u32;
-    var phi_373_: vec2<i32>;
-    var phi_393_: vec2<i32>;
-    var phi_416_: u32;
-    var phi_433_: bool;
-    var phi_434_: bool;
-    var phi_441_: bool;
-    var phi_442_: bool;
-    var phi_460_: bool;
-    var phi_461_: bool;
-    var phi_462_: bool;
-    var phi_288_: u32;
-    var phi_291_: lt_mask_Neighbourhood;
-    var phi_465_: lt_mask_Neighbourhood;
-    var phi_466_: lt_mask_Neighbourhood;
-    var phi_467_: lt_mask_Neighbourhood;
-    var phi_492_: bool;
-    var phi_493_: bool;
-    var phi_506_: bool;
-    var phi_507_: bool;
-    var phi_508_: bool;
-    var phi_515_: u32;
-    var phi_516_: u32;
-    var phi_517_: u32;
-    var phi_518_: u32;
-    var phi_519_: u32;
-    var phi_527_: bool;
-    var phi_535_: u32;
-    var phi_540_: u32;
-    var phi_544_: u32;
-    var phi_545_: u32;
-    var phi_549_: f32;
-    var phi_551_: mask_Masked;
-    var phi_557_: bool;
-    var phi_558_: u32;
+    var phi_191_: bool;
+    var phi_195_: bool;
+    var phi_265_: bool;
+    var phi_266_: bool;
+    var phi_277_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_278_: bool;
+    var phi_279_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_280_: bool;
+    var phi_287_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_291_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_304_: bool;
+    var phi_338_: u32;
+    var phi_340_: u32;
+    var phi_343_: lt_mask_Neighbourhood;
+    var phi_355_: bool;
+    var phi_356_: bool;
+    var phi_365_: u32;
+    var phi_366_: u32;
+    var phi_426_: vec2<i32>;
+    var phi_446_: vec2<i32>;
+    var phi_469_: u32;
+    var phi_486_: bool;
+    var phi_487_: bool;
+    var phi_494_: bool;
+    var phi_495_: bool;
+    var phi_513_: bool;
+    var phi_514_: bool;
+    var phi_515_: bool;
+    var phi_341_: u32;
+    var phi_344_: lt_mask_Neighbourhood;
+    var phi_518_: lt_mask_Neighbourhood;
+    var phi_519_: lt_mask_Neighbourhood;
+    var phi_520_: lt_mask_Neighbourhood;
+    var phi_545_: bool;
+    var phi_546_: bool;
+    var phi_559_: bool;
+    var phi_560_: bool;
+    var phi_561_: bool;
+    var phi_568_: u32;
     var phi_569_: u32;
+    var phi_570_: u32;
+    var phi_571_: u32;
+    var phi_572_: u32;
+    var phi_580_: bool;
+    var phi_588_: u32;
+    var phi_593_: u32;
+    var phi_597_: u32;
+    var phi_598_: u32;
+    var phi_602_: f32;
+    var phi_604_: mask_Masked;
+    var phi_610_: bool;
+    var phi_611_: u32;
+    var phi_622_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e39 = id_1;
@@ -314,408 +329,447 @@ fn function_() {
     if (bitcast<i32>(_e55.root) != 0i) {
         let _e63 = p.member.current.size[0u];
         let _e68 = visibility.member[_e55.first_primitive];
-        let _e72 = p.member.light;
-        let _e75 = samples.member[_e55.first_primitive].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[_e55.first_primitive].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[_e55.first_primitive].normal[2u];
-                let _e87 = global[2u];
-                phi_183_ = (_e85 == _e87);
-                phi_184_ = false;
+        let _e74 = samples.member[_e55.first_primitive].normal[0u];
+        let _e76 = global[0u];
+        if (_e74 == _e76) {
+            let _e79 = samples.member[_e55.first_primitive].normal[1u];
+            let _e81 = global[1u];
+            if (_e79 == _e81) {
+                let _e84 = samples.member[_e55.first_primitive].normal[2u];
+                let _e86 = global[2u];
+                phi_188_ = (_e84 == _e86);
+                phi_189_ = false;
             } else {
-                phi_183_ = bool();
-                phi_184_ = true;
+                phi_188_ = bool();
+                phi_189_ = true;
             }
-            let _e90 = phi_183_;
-            let _e92 = phi_184_;
-            phi_185_ = _e90;
-            phi_186_ = _e92;
+            let _e89 = phi_188_;
+            let _e91 = phi_189_;
+            phi_190_ = _e89;
+            phi_191_ = _e91;
         } else {
-            phi_185_ = bool();
-            phi_186_ = true;
+            phi_190_ = bool();
+            phi_191_ = true;
         }
-        let _e94 = phi_185_;
-        let _e96 = phi_186_;
-        if _e96 {
-            phi_190_ = false;
+        let _e93 = phi_190_;
+        let _e95 = phi_191_;
+        if _e95 {
+            phi_195_ = false;
         } else {
-            phi_190_ = _e94;
+            phi_195_ = _e93;
         }
-        let _e98 = phi_190_;
-        if !(_e98) {
-            let _e101 = samples.member[_e55.first_primitive].normal;
-            let _e103 = samples.member[_e55.first_primitive].position;
-            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
-                let _e127 = samples.member[_e55.first_primitive].flags;
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_234_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
+        let _e97 = phi_195_;
+        if !(_e97) {
+            let _e100 = samples.member[_e55.first_primitive].position;
+            let _e102 = p.member.light.place;
+            let _e108 = p.member.light.place[3u];
+            let _e115 = (_e102.x - (_e100.x * _e108));
+            let _e116 = (_e102.y - (_e100.y * _e108));
+            let _e117 = (_e102.z - (_e100.z * _e108));
+            let _e119 = samples.member[_e55.first_primitive].normal;
+            if ((((_e119.x * _e115) + (_e119.y * _e116)) + (_e119.z * _e117)) > 0f) {
+                let _e133 = (((_e115 * _e115) + (_e116 * _e116)) + (_e117 * _e117));
+                let _e135 = p.member.light.axis;
+                let _e147 = p.member.light.place[3u];
+                if (_e147 == 0f) {
+                    phi_266_ = true;
+                } else {
+                    let _e150 = p.member.light.range_squared;
+                    if (_e133 <= _e150) {
+                        let _e153 = p.member.light.cos_outer;
+                        phi_265_ = (-((((_e115 * _e135.x) + (_e116 * _e135.y)) + (_e117 * _e135.z))) >= (_e153 * sqrt(_e133)));
+                    } else {
+                        phi_265_ = false;
+                    }
+                    let _e158 = phi_265_;
+                    phi_266_ = _e158;
+                }
+                let _e160 = phi_266_;
+                if _e160 {
+                    let _e162 = samples.member[_e55.first_primitive].flags;
+                    let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
+                    phi_277_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, ((_e162 & 1u) == 0u));
+                    phi_278_ = false;
+                } else {
+                    phi_277_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_278_ = true;
+                }
+                let _e181 = phi_277_;
+                let _e183 = phi_278_;
+                phi_279_ = _e181;
+                phi_280_ = _e183;
             } else {
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_234_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
+                phi_279_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_280_ = true;
             }
-            let _e161 = phi_234_;
-            phi_238_ = _e161;
+            let _e185 = phi_279_;
+            let _e187 = phi_280_;
+            if _e187 {
+                let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
+                phi_287_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, true);
+            } else {
+                phi_287_ = _e185;
+            }
+            let _e204 = phi_287_;
+            phi_291_ = _e204;
         } else {
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_238_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
+            let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
+            phi_291_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
         }
-        let _e178 = phi_238_;
-        if _e178.unnamed_1 {
-            phi_551_ = mask_Masked(_e178.unnamed.visibility, 0u, false);
+        let _e221 = phi_291_;
+        if _e221.unnamed_1 {
+            phi_604_ = mask_Masked(_e221.unnamed.visibility, 0u, false);
         } else {
-            let _e183 = (_e68 < 0.5f);
+            let _e226 = (_e68 < 0.5f);
             if (_e68 > 0f) {
-                phi_251_ = (_e68 < 1f);
+                phi_304_ = (_e68 < 1f);
             } else {
-                phi_251_ = false;
+                phi_304_ = false;
             }
-            let _e187 = phi_251_;
-            let _e189 = p.member.flags;
-            let _e191 = ((_e189 & 1u) != 0u);
+            let _e230 = phi_304_;
+            let _e232 = p.member.flags;
+            let _e234 = ((_e232 & 1u) != 0u);
             if false {
             }
-            let _e196 = lt_mask_Neighbourhood(false, true);
-            if _e187 {
-                phi_467_ = _e196;
+            let _e239 = lt_mask_Neighbourhood(false, true);
+            if _e230 {
+                phi_520_ = _e239;
             } else {
                 if true {
-                    if _e191 {
+                    if _e234 {
                         if false {
-                            let _e198 = p.member.moving_pattern;
-                            phi_285_ = _e198;
+                            let _e241 = p.member.moving_pattern;
+                            phi_338_ = _e241;
                         } else {
-                            let _e200 = p.member.still_pattern;
-                            phi_285_ = _e200;
+                            let _e243 = p.member.still_pattern;
+                            phi_338_ = _e243;
                         }
-                        let _e202 = phi_285_;
-                        phi_287_ = 0u;
-                        phi_290_ = _e196;
+                        let _e245 = phi_338_;
+                        phi_340_ = 0u;
+                        phi_343_ = _e239;
                         loop {
-                            let _e204 = phi_287_;
-                            let _e206 = phi_290_;
-                            local_1 = _e206;
-                            if (1u <= _e202) {
-                                if (_e202 <= 4u) {
-                                    phi_302_ = false;
+                            let _e247 = phi_340_;
+                            let _e249 = phi_343_;
+                            local_1 = _e249;
+                            if (1u <= _e245) {
+                                if (_e245 <= 4u) {
+                                    phi_355_ = false;
                                 } else {
-                                    phi_302_ = true;
+                                    phi_355_ = true;
                                 }
-                                let _e210 = phi_302_;
-                                phi_303_ = _e210;
+                                let _e253 = phi_355_;
+                                phi_356_ = _e253;
                             } else {
-                                phi_303_ = true;
+                                phi_356_ = true;
                             }
-                            let _e212 = phi_303_;
-                            if _e212 {
-                                switch bitcast<i32>(_e202) {
+                            let _e255 = phi_356_;
+                            if _e255 {
+                                switch bitcast<i32>(_e245) {
                                     case 5: {
-                                        phi_312_ = 4u;
+                                        phi_365_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_312_ = 25u;
+                                        phi_365_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_312_ = 13u;
+                                        phi_365_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_312_ = 9u;
+                                        phi_365_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e215 = phi_312_;
-                                phi_313_ = _e215;
+                                let _e258 = phi_365_;
+                                phi_366_ = _e258;
                             } else {
-                                phi_313_ = 5u;
+                                phi_366_ = 5u;
                             }
-                            let _e217 = phi_313_;
-                            let _e218 = (_e204 < _e217);
-                            if _e218 {
-                                let _e220 = p.member.frame;
-                                let _e224 = p.member.current.size[0u];
-                                let _e226 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e202) {
+                            let _e260 = phi_366_;
+                            let _e261 = (_e247 < _e260);
+                            if _e261 {
+                                let _e263 = p.member.frame;
+                                let _e267 = p.member.current.size[0u];
+                                let _e269 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e245) {
                                     case 1: {
-                                        let _e236 = lt_mask_pattern_plus(_e204);
-                                        phi_393_ = vec2<i32>(_e236.x, _e236.y);
+                                        let _e279 = lt_mask_pattern_plus(_e247);
+                                        phi_446_ = vec2<i32>(_e279.x, _e279.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e240 = lt_mask_pattern_cross(_e204);
-                                        phi_393_ = vec2<i32>(_e240.x, _e240.y);
+                                        let _e283 = lt_mask_pattern_cross(_e247);
+                                        phi_446_ = vec2<i32>(_e283.x, _e283.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e246 = lt_mask_pattern_plus_or_cross(_e204, ((_e39.x + _e39.y) & 1u));
-                                        phi_393_ = vec2<i32>(_e246.x, _e246.y);
+                                        let _e289 = lt_mask_pattern_plus_or_cross(_e247, ((_e39.x + _e39.y) & 1u));
+                                        phi_446_ = vec2<i32>(_e289.x, _e289.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e251 = lt_mask_pattern_plus_or_cross(_e204, (_e220 & 1u));
-                                        phi_393_ = vec2<i32>(_e251.x, _e251.y);
+                                        let _e294 = lt_mask_pattern_plus_or_cross(_e247, (_e263 & 1u));
+                                        phi_446_ = vec2<i32>(_e294.x, _e294.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e220 & 3u)) {
+                                        switch bitcast<i32>((_e263 & 3u)) {
                                             case 0: {
-                                                phi_373_ = vec2(-1i);
+                                                phi_426_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_373_ = vec2(0i);
+                                                phi_426_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_373_ = vec2<i32>(0i, -1i);
+                                                phi_426_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_373_ = vec2<i32>(-1i, 0i);
+                                                phi_426_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e262 = phi_373_;
-                                        phi_393_ = (_e262 + vec2<i32>(bitcast<i32>((_e204 & 1u)), bitcast<i32>(((_e204 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e305 = phi_426_;
+                                        phi_446_ = (_e305 + vec2<i32>(bitcast<i32>((_e247 & 1u)), bitcast<i32>(((_e247 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_393_ = vec2<i32>((bitcast<i32>((_e204 % 5u)) - 2i), (bitcast<i32>(((_e204 / 5u) % 5u)) - 2i));
+                                        phi_446_ = vec2<i32>((bitcast<i32>((_e247 % 5u)) - 2i), (bitcast<i32>(((_e247 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e279 = lt_mask_pattern_diamond(_e204);
-                                        phi_393_ = vec2<i32>(_e279.x, _e279.y);
+                                        let _e322 = lt_mask_pattern_diamond(_e247);
+                                        phi_446_ = vec2<i32>(_e322.x, _e322.y);
                                         break;
                                     }
                                     default: {
-                                        phi_393_ = vec2<i32>((bitcast<i32>((_e204 % 3u)) - 1i), (bitcast<i32>(((_e204 / 3u) % 3u)) - 1i));
+                                        phi_446_ = vec2<i32>((bitcast<i32>((_e247 % 3u)) - 1i), (bitcast<i32>(((_e247 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e284 = phi_393_;
-                                let _e287 = lt_mask_pattern_step_clamped(_e39.x, _e284.x, _e224);
-                                let _e288 = lt_mask_pattern_step_clamped(_e39.y, _e284.y, _e226);
-                                let _e290 = ((_e288 * _e63) + _e287);
-                                if (_e290 < arrayLength((&last_bits.member))) {
+                                let _e327 = phi_446_;
+                                let _e330 = lt_mask_pattern_step_clamped(_e39.x, _e327.x, _e267);
+                                let _e331 = lt_mask_pattern_step_clamped(_e39.y, _e327.y, _e269);
+                                let _e333 = ((_e331 * _e63) + _e330);
+                                if (_e333 < arrayLength((&last_bits.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e294 = last_bits.member[(0u + _e290)];
-                                if ((_e294 & 2u) == 0u) {
-                                    phi_416_ = (_e294 & 1u);
+                                let _e337 = last_bits.member[(0u + _e333)];
+                                if ((_e337 & 2u) == 0u) {
+                                    phi_469_ = (_e337 & 1u);
                                 } else {
-                                    phi_416_ = (_e294 & 7u);
+                                    phi_469_ = (_e337 & 7u);
                                 }
-                                let _e300 = phi_416_;
-                                if _e206.any_expands {
-                                    phi_442_ = true;
+                                let _e343 = phi_469_;
+                                if _e249.any_expands {
+                                    phi_495_ = true;
                                 } else {
-                                    if ((_e300 & 2u) != 0u) {
-                                        if (((_e300 & 4u) != 0u) != _e183) {
-                                            phi_433_ = false;
+                                    if ((_e343 & 2u) != 0u) {
+                                        if (((_e343 & 4u) != 0u) != _e226) {
+                                            phi_486_ = false;
                                         } else {
-                                            phi_433_ = true;
+                                            phi_486_ = true;
                                         }
-                                        let _e309 = phi_433_;
-                                        phi_434_ = _e309;
+                                        let _e352 = phi_486_;
+                                        phi_487_ = _e352;
                                     } else {
-                                        phi_434_ = true;
+                                        phi_487_ = true;
                                     }
-                                    let _e311 = phi_434_;
-                                    if _e311 {
-                                        phi_441_ = (((_e300 & 1u) != 0u) != _e183);
+                                    let _e354 = phi_487_;
+                                    if _e354 {
+                                        phi_494_ = (((_e343 & 1u) != 0u) != _e226);
                                     } else {
-                                        phi_441_ = true;
+                                        phi_494_ = true;
                                     }
-                                    let _e316 = phi_441_;
-                                    phi_442_ = _e316;
+                                    let _e359 = phi_494_;
+                                    phi_495_ = _e359;
                                 }
-                                let _e318 = phi_442_;
-                                if _e206.all_remove {
-                                    if (((_e300 & 1u) != 0u) == _e183) {
-                                        if ((_e300 & 2u) != 0u) {
-                                            phi_460_ = (((_e300 & 4u) != 0u) == _e183);
+                                let _e361 = phi_495_;
+                                if _e249.all_remove {
+                                    if (((_e343 & 1u) != 0u) == _e226) {
+                                        if ((_e343 & 2u) != 0u) {
+                                            phi_513_ = (((_e343 & 4u) != 0u) == _e226);
                                         } else {
-                                            phi_460_ = true;
+                                            phi_513_ = true;
                                         }
-                                        let _e328 = phi_460_;
-                                        phi_461_ = _e328;
+                                        let _e371 = phi_513_;
+                                        phi_514_ = _e371;
                                     } else {
-                                        phi_461_ = false;
+                                        phi_514_ = false;
                                     }
-                                    let _e330 = phi_461_;
-                                    phi_462_ = _e330;
+                                    let _e373 = phi_514_;
+                                    phi_515_ = _e373;
                                 } else {
-                                    phi_462_ = false;
+                                    phi_515_ = false;
                                 }
-                                let _e332 = phi_462_;
-                                phi_288_ = (_e204 + 1u);
-                                phi_291_ = lt_mask_Neighbourhood(_e318, _e332);
+                                let _e375 = phi_515_;
+                                phi_341_ = (_e247 + 1u);
+                                phi_344_ = lt_mask_Neighbourhood(_e361, _e375);
                             } else {
-                                phi_288_ = u32();
-                                phi_291_ = lt_mask_Neighbourhood();
+                                phi_341_ = u32();
+                                phi_344_ = lt_mask_Neighbourhood();
                             }
-                            let _e336 = phi_288_;
-                            let _e338 = phi_291_;
+                            let _e379 = phi_341_;
+                            let _e381 = phi_344_;
                             continue;
                             continuing {
-                                phi_287_ = _e336;
-                                phi_290_ = _e338;
-                                break if !(_e218);
+                                phi_340_ = _e379;
+                                phi_343_ = _e381;
+                                break if !(_e261);
                             }
                         }
-                        let _e445 = local_1;
-                        phi_465_ = _e445;
+                        let _e494 = local_1;
+                        phi_518_ = _e494;
                     } else {
-                        phi_465_ = _e196;
+                        phi_518_ = _e239;
                     }
-                    let _e341 = phi_465_;
-                    phi_466_ = _e341;
+                    let _e384 = phi_518_;
+                    phi_519_ = _e384;
                 } else {
-                    phi_466_ = _e196;
+                    phi_519_ = _e239;
                 }
-                let _e343 = phi_466_;
-                phi_467_ = _e343;
+                let _e386 = phi_519_;
+                phi_520_ = _e386;
             }
-            let _e345 = phi_467_;
+            let _e388 = phi_520_;
             if (_e68 != 0.5f) {
-                if _e191 {
-                    if _e187 {
-                        phi_493_ = true;
+                if _e234 {
+                    if _e230 {
+                        phi_546_ = true;
                     } else {
-                        if _e345.any_expands {
-                            phi_492_ = false;
+                        if _e388.any_expands {
+                            phi_545_ = false;
                         } else {
-                            phi_492_ = true;
+                            phi_545_ = true;
                         }
-                        let _e350 = phi_492_;
-                        phi_493_ = _e350;
+                        let _e393 = phi_545_;
+                        phi_546_ = _e393;
                     }
-                    let _e352 = phi_493_;
-                    if _e352 {
-                        if _e187 {
+                    let _e395 = phi_546_;
+                    if _e395 {
+                        if _e230 {
                             if false {
-                                if _e345.all_remove {
-                                    phi_506_ = false;
+                                if _e388.all_remove {
+                                    phi_559_ = false;
                                 } else {
-                                    phi_506_ = true;
+                                    phi_559_ = true;
                                 }
-                                let _e354 = phi_506_;
-                                phi_507_ = _e354;
+                                let _e397 = phi_559_;
+                                phi_560_ = _e397;
                             } else {
-                                phi_507_ = true;
+                                phi_560_ = true;
                             }
-                            let _e356 = phi_507_;
-                            phi_508_ = _e356;
+                            let _e399 = phi_560_;
+                            phi_561_ = _e399;
                         } else {
-                            phi_508_ = true;
+                            phi_561_ = true;
                         }
-                        let _e358 = phi_508_;
-                        if _e358 {
-                            if _e187 {
-                                phi_515_ = 1u;
+                        let _e401 = phi_561_;
+                        if _e401 {
+                            if _e230 {
+                                phi_568_ = 1u;
                             } else {
-                                phi_515_ = 0u;
+                                phi_568_ = 0u;
                             }
-                            let _e360 = phi_515_;
-                            phi_516_ = _e360;
+                            let _e403 = phi_568_;
+                            phi_569_ = _e403;
                         } else {
-                            phi_516_ = 5u;
+                            phi_569_ = 5u;
                         }
-                        let _e362 = phi_516_;
-                        phi_517_ = _e362;
+                        let _e405 = phi_569_;
+                        phi_570_ = _e405;
                     } else {
-                        phi_517_ = 4u;
+                        phi_570_ = 4u;
                     }
-                    let _e364 = phi_517_;
-                    phi_518_ = _e364;
+                    let _e407 = phi_570_;
+                    phi_571_ = _e407;
                 } else {
-                    phi_518_ = 3u;
+                    phi_571_ = 3u;
                 }
-                let _e366 = phi_518_;
-                phi_519_ = _e366;
+                let _e409 = phi_571_;
+                phi_572_ = _e409;
             } else {
-                phi_519_ = 2u;
+                phi_572_ = 2u;
             }
-            let _e368 = phi_519_;
-            if !((_e368 == 0u)) {
-                phi_527_ = !((_e368 == 5u));
+            let _e411 = phi_572_;
+            if !((_e411 == 0u)) {
+                phi_580_ = !((_e411 == 5u));
             } else {
-                phi_527_ = false;
+                phi_580_ = false;
             }
-            let _e374 = phi_527_;
-            if _e374 {
-                if _e183 {
-                    phi_535_ = (2u | 1u);
+            let _e417 = phi_580_;
+            if _e417 {
+                if _e226 {
+                    phi_588_ = (2u | 1u);
                 } else {
-                    phi_535_ = 2u;
+                    phi_588_ = 2u;
                 }
-                let _e377 = phi_535_;
+                let _e420 = phi_588_;
                 if false {
-                    phi_540_ = (_e377 | 4u);
+                    phi_593_ = (_e420 | 4u);
                 } else {
-                    phi_540_ = _e377;
+                    phi_593_ = _e420;
                 }
-                let _e380 = phi_540_;
-                phi_545_ = _e380;
+                let _e423 = phi_593_;
+                phi_598_ = _e423;
             } else {
-                if _e183 {
-                    phi_544_ = 1u;
+                if _e226 {
+                    phi_597_ = 1u;
                 } else {
-                    phi_544_ = 0u;
+                    phi_597_ = 0u;
                 }
-                let _e382 = phi_544_;
-                phi_545_ = _e382;
+                let _e425 = phi_597_;
+                phi_598_ = _e425;
             }
-            let _e384 = phi_545_;
-            if _e183 {
-                phi_549_ = 0f;
+            let _e427 = phi_598_;
+            if _e226 {
+                phi_602_ = 0f;
             } else {
-                phi_549_ = 1f;
+                phi_602_ = 1f;
             }
-            let _e386 = phi_549_;
-            phi_551_ = mask_Masked(_e386, _e384, _e374);
+            let _e429 = phi_602_;
+            phi_604_ = mask_Masked(_e429, _e427, _e417);
         }
-        let _e389 = phi_551_;
-        visibility.member[_e55.first_primitive] = _e389.visibility;
-        bits.member[_e55.first_primitive] = _e389.bits;
-        phi_557_ = _e389.needs_ray;
-        phi_558_ = _e55.first_primitive;
+        let _e432 = phi_604_;
+        visibility.member[_e55.first_primitive] = _e432.visibility;
+        bits.member[_e55.first_primitive] = _e432.bits;
+        phi_610_ = _e432.needs_ray;
+        phi_611_ = _e55.first_primitive;
     } else {
-        phi_557_ = false;
-        phi_558_ = 0u;
+        phi_610_ = false;
+        phi_611_ = 0u;
     }
-    let _e396 = phi_557_;
-    let _e398 = phi_558_;
+    let _e439 = phi_610_;
+    let _e441 = phi_611_;
     if (_e40 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e396 {
-        let _e402 = atomicAdd((&shared_[0u]), 1u);
-        phi_569_ = _e402;
+    if _e439 {
+        let _e445 = atomicAdd((&shared_[0u]), 1u);
+        phi_622_ = _e445;
     } else {
-        phi_569_ = 0u;
+        phi_622_ = 0u;
     }
-    let _e404 = phi_569_;
+    let _e447 = phi_622_;
     workgroupBarrier();
     if (_e40 == 0u) {
-        let _e408 = atomicLoad((&shared_[0u]));
-        let _e409 = atomicAdd((&list.member[3u]), _e408);
-        atomicStore((&shared_[1u]), _e409);
+        let _e451 = atomicLoad((&shared_[0u]));
+        let _e452 = atomicAdd((&list.member[3u]), _e451);
+        atomicStore((&shared_[1u]), _e452);
     }
     workgroupBarrier();
-    if _e396 {
-        let _e412 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e412) + _e404)]), _e398);
+    if _e439 {
+        let _e455 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e455) + _e447)]), _e441);
     }
     return;
 }

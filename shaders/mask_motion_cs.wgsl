@@ -11,10 +11,19 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
-    light: vec4<f32>,
+    light: abi_LightParams,
     frame: u32,
     still_pattern: u32,
     moving_pattern: u32,
@@ -82,7 +91,7 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_42 {
+struct type_44 {
     member: array<atomic<u32>>,
 }
 
@@ -99,276 +108,282 @@ var<storage, read_write> bits: type_17;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_21;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_42;
+var<storage, read_write> list: type_44;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_157_: lt_bvh_traverse_Tree;
-    var phi_158_: bool;
-    var phi_159_: lt_bvh_traverse_Tree;
-    var phi_160_: bool;
-    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_157_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_158_ = false;
+            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_163_ = false;
         } else {
-            phi_157_ = lt_bvh_traverse_Tree();
-            phi_158_ = true;
+            phi_162_ = lt_bvh_traverse_Tree();
+            phi_163_ = true;
         }
-        let _e64 = phi_157_;
-        let _e66 = phi_158_;
-        phi_159_ = _e64;
-        phi_160_ = _e66;
+        let _e64 = phi_162_;
+        let _e66 = phi_163_;
+        phi_164_ = _e64;
+        phi_165_ = _e66;
     } else {
-        phi_159_ = lt_bvh_traverse_Tree();
-        phi_160_ = true;
+        phi_164_ = lt_bvh_traverse_Tree();
+        phi_165_ = true;
     }
-    let _e68 = phi_159_;
-    let _e70 = phi_160_;
+    let _e68 = phi_164_;
+    let _e70 = phi_165_;
     if _e70 {
-        phi_165_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_165_ = _e68;
+        phi_170_ = _e68;
     }
-    let _e75 = phi_165_;
+    let _e75 = phi_170_;
     return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_183_: vec2<i32>;
+    var phi_188_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_183_ = vec2(0i);
+            phi_188_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_183_ = vec2<i32>(0i, -1i);
+            phi_188_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_183_ = vec2<i32>(-1i, 0i);
+            phi_188_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_183_ = vec2<i32>(1i, 0i);
+            phi_188_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_183_ = vec2<i32>(0i, 1i);
+            phi_188_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e60 = phi_183_;
+    let _e60 = phi_188_;
     return vec2<i32>(_e60.x, _e60.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_201_: vec2<i32>;
+    var phi_206_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_201_ = vec2(0i);
+            phi_206_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_201_ = vec2(-1i);
+            phi_206_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_201_ = vec2<i32>(1i, -1i);
+            phi_206_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_201_ = vec2<i32>(-1i, 1i);
+            phi_206_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_201_ = vec2(1i);
+            phi_206_ = vec2(1i);
             break;
         }
     }
-    let _e60 = phi_201_;
+    let _e60 = phi_206_;
     return vec2<i32>(_e60.x, _e60.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_220_: vec2<i32>;
+    var phi_225_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e54 = lt_mask_pattern_plus(param_5);
-        phi_220_ = vec2<i32>(_e54.x, _e54.y);
+        phi_225_ = vec2<i32>(_e54.x, _e54.y);
     } else {
         let _e58 = lt_mask_pattern_cross(param_5);
-        phi_220_ = vec2<i32>(_e58.x, _e58.y);
+        phi_225_ = vec2<i32>(_e58.x, _e58.y);
     }
-    let _e63 = phi_220_;
+    let _e63 = phi_225_;
     return vec2<i32>(_e63.x, _e63.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_245_: vec2<i32>;
+    var phi_250_: vec2<i32>;
 
     let _e52 = (param_7 % 13u);
     switch bitcast<i32>(_e52) {
         case 9: {
-            phi_245_ = vec2<i32>(0i, -2i);
+            phi_250_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_245_ = vec2<i32>(-2i, 0i);
+            phi_250_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_245_ = vec2<i32>(2i, 0i);
+            phi_250_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_245_ = vec2<i32>(0i, 2i);
+            phi_250_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_245_ = vec2<i32>((bitcast<i32>((_e52 % 3u)) - 1i), (bitcast<i32>(((_e52 / 3u) % 3u)) - 1i));
+            phi_250_ = vec2<i32>((bitcast<i32>((_e52 % 3u)) - 1i), (bitcast<i32>(((_e52 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e67 = phi_245_;
+    let _e67 = phi_250_;
     return vec2<i32>(_e67.x, _e67.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_266_: u32;
-    var phi_267_: u32;
+    var phi_271_: u32;
+    var phi_272_: u32;
 
     let _e55 = (bitcast<i32>(param_8) + param_9);
     if (_e55 < 0i) {
-        phi_267_ = 0u;
+        phi_272_ = 0u;
     } else {
         if (_e55 >= bitcast<i32>(param_10)) {
-            phi_266_ = (param_10 - 1u);
+            phi_271_ = (param_10 - 1u);
         } else {
-            phi_266_ = bitcast<u32>(_e55);
+            phi_271_ = bitcast<u32>(_e55);
         }
-        let _e62 = phi_266_;
-        phi_267_ = _e62;
+        let _e62 = phi_271_;
+        phi_272_ = _e62;
     }
-    let _e64 = phi_267_;
+    let _e64 = phi_272_;
     return _e64;
 }
 
 fn function_() {
-    var phi_328_: bool;
-    var phi_329_: bool;
-    var phi_330_: bool;
-    var phi_331_: bool;
+    var phi_332_: bool;
+    var phi_333_: bool;
+    var phi_334_: bool;
     var phi_335_: bool;
-    var phi_379_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_383_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_396_: bool;
-    var phi_585_: f32;
-    var phi_590_: f32;
-    var phi_591_: bool;
-    var phi_592_: f32;
-    var phi_593_: bool;
-    var phi_597_: f32;
-    var phi_620_: f32;
-    var phi_625_: f32;
-    var phi_626_: bool;
-    var phi_627_: f32;
-    var phi_628_: bool;
-    var phi_632_: f32;
-    var phi_653_: bool;
-    var phi_672_: vec2<u32>;
-    var phi_673_: bool;
-    var phi_674_: bool;
-    var phi_675_: bool;
-    var phi_676_: vec2<u32>;
-    var phi_677_: bool;
+    var phi_339_: bool;
+    var phi_409_: bool;
+    var phi_410_: bool;
+    var phi_421_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_422_: bool;
+    var phi_423_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_424_: bool;
+    var phi_431_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_435_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_448_: bool;
+    var phi_637_: f32;
+    var phi_642_: f32;
+    var phi_643_: bool;
+    var phi_644_: f32;
+    var phi_645_: bool;
+    var phi_649_: f32;
+    var phi_672_: f32;
+    var phi_677_: f32;
     var phi_678_: bool;
-    var phi_679_: bool;
+    var phi_679_: f32;
     var phi_680_: bool;
-    var phi_681_: bool;
-    var phi_682_: bool;
-    var phi_683_: vec2<u32>;
-    var phi_684_: bool;
-    var phi_685_: bool;
-    var phi_686_: bool;
-    var phi_687_: bool;
-    var phi_688_: bool;
-    var phi_689_: bool;
-    var phi_690_: vec2<u32>;
-    var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_694_: bool;
-    var phi_703_: bool;
-    var phi_704_: bool;
+    var phi_684_: f32;
     var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_710_: bool;
-    var phi_711_: bool;
-    var phi_712_: vec2<u32>;
-    var phi_754_: bool;
+    var phi_724_: vec2<u32>;
+    var phi_725_: bool;
+    var phi_726_: bool;
+    var phi_727_: bool;
+    var phi_728_: vec2<u32>;
+    var phi_729_: bool;
+    var phi_730_: bool;
+    var phi_731_: bool;
+    var phi_732_: bool;
+    var phi_733_: bool;
+    var phi_734_: bool;
+    var phi_735_: vec2<u32>;
+    var phi_736_: bool;
+    var phi_737_: bool;
+    var phi_738_: bool;
+    var phi_739_: bool;
+    var phi_740_: bool;
+    var phi_741_: bool;
+    var phi_742_: vec2<u32>;
+    var phi_743_: bool;
+    var phi_744_: bool;
+    var phi_745_: bool;
+    var phi_746_: bool;
     var phi_755_: bool;
+    var phi_756_: bool;
     var phi_757_: bool;
-    var phi_758_: lt_mask_Reprojection;
-    var phi_759_: lt_mask_Reprojection;
-    var phi_760_: bool;
-    var phi_764_: bool;
-    var phi_765_: lt_mask_Reprojection;
-    var phi_779_: bool;
-    var phi_790_: bool;
-    var phi_791_: bool;
-    var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_794_: bool;
-    var phi_795_: bool;
-    var phi_799_: bool;
-    var phi_804_: bool;
-    var phi_819_: u32;
-    var phi_821_: u32;
-    var phi_824_: lt_mask_Neighbourhood;
-    var phi_836_: bool;
-    var phi_837_: bool;
-    var phi_846_: u32;
-    var phi_847_: u32;
-    var phi_907_: vec2<i32>;
-    var phi_927_: vec2<i32>;
-    var phi_950_: u32;
-    var phi_967_: bool;
-    var phi_968_: bool;
-    var phi_975_: bool;
-    var phi_976_: bool;
-    var phi_994_: bool;
-    var phi_995_: bool;
-    var phi_996_: bool;
-    var phi_822_: u32;
-    var phi_825_: lt_mask_Neighbourhood;
-    var phi_999_: lt_mask_Neighbourhood;
-    var phi_1000_: lt_mask_Neighbourhood;
-    var phi_1025_: bool;
-    var phi_1026_: bool;
-    var phi_1039_: bool;
-    var phi_1040_: bool;
-    var phi_1041_: bool;
-    var phi_1048_: u32;
-    var phi_1049_: u32;
-    var phi_1050_: u32;
-    var phi_1051_: u32;
-    var phi_1052_: u32;
-    var phi_1060_: bool;
-    var phi_1068_: u32;
-    var phi_1073_: u32;
-    var phi_1077_: u32;
-    var phi_1078_: u32;
-    var phi_1082_: f32;
-    var phi_1084_: mask_Masked;
-    var phi_1090_: bool;
-    var phi_1091_: u32;
+    var phi_758_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_764_: vec2<u32>;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_809_: bool;
+    var phi_810_: lt_mask_Reprojection;
+    var phi_811_: lt_mask_Reprojection;
+    var phi_812_: bool;
+    var phi_816_: bool;
+    var phi_817_: lt_mask_Reprojection;
+    var phi_831_: bool;
+    var phi_842_: bool;
+    var phi_843_: bool;
+    var phi_844_: bool;
+    var phi_845_: bool;
+    var phi_846_: bool;
+    var phi_847_: bool;
+    var phi_851_: bool;
+    var phi_856_: bool;
+    var phi_871_: u32;
+    var phi_873_: u32;
+    var phi_876_: lt_mask_Neighbourhood;
+    var phi_888_: bool;
+    var phi_889_: bool;
+    var phi_898_: u32;
+    var phi_899_: u32;
+    var phi_959_: vec2<i32>;
+    var phi_979_: vec2<i32>;
+    var phi_1002_: u32;
+    var phi_1019_: bool;
+    var phi_1020_: bool;
+    var phi_1027_: bool;
+    var phi_1028_: bool;
+    var phi_1046_: bool;
+    var phi_1047_: bool;
+    var phi_1048_: bool;
+    var phi_874_: u32;
+    var phi_877_: lt_mask_Neighbourhood;
+    var phi_1051_: lt_mask_Neighbourhood;
+    var phi_1052_: lt_mask_Neighbourhood;
+    var phi_1077_: bool;
+    var phi_1078_: bool;
+    var phi_1091_: bool;
+    var phi_1092_: bool;
+    var phi_1093_: bool;
+    var phi_1100_: u32;
+    var phi_1101_: u32;
     var phi_1102_: u32;
+    var phi_1103_: u32;
+    var phi_1104_: u32;
+    var phi_1112_: bool;
+    var phi_1120_: u32;
+    var phi_1125_: u32;
+    var phi_1129_: u32;
+    var phi_1130_: u32;
+    var phi_1134_: f32;
+    var phi_1136_: mask_Masked;
+    var phi_1142_: bool;
+    var phi_1143_: u32;
+    var phi_1154_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e51 = id_1;
@@ -380,697 +395,736 @@ fn function_() {
         let _e75 = p.member.current.size[0u];
         let _e78 = samples.member[_e67.first_primitive].position;
         let _e80 = visibility.member[_e67.first_primitive];
-        let _e84 = p.member.light;
-        let _e87 = samples.member[_e67.first_primitive].normal[0u];
-        let _e89 = global[0u];
-        if (_e87 == _e89) {
-            let _e92 = samples.member[_e67.first_primitive].normal[1u];
-            let _e94 = global[1u];
-            if (_e92 == _e94) {
-                let _e97 = samples.member[_e67.first_primitive].normal[2u];
-                let _e99 = global[2u];
-                phi_328_ = (_e97 == _e99);
-                phi_329_ = false;
+        let _e86 = samples.member[_e67.first_primitive].normal[0u];
+        let _e88 = global[0u];
+        if (_e86 == _e88) {
+            let _e91 = samples.member[_e67.first_primitive].normal[1u];
+            let _e93 = global[1u];
+            if (_e91 == _e93) {
+                let _e96 = samples.member[_e67.first_primitive].normal[2u];
+                let _e98 = global[2u];
+                phi_332_ = (_e96 == _e98);
+                phi_333_ = false;
             } else {
-                phi_328_ = bool();
-                phi_329_ = true;
+                phi_332_ = bool();
+                phi_333_ = true;
             }
-            let _e102 = phi_328_;
-            let _e104 = phi_329_;
-            phi_330_ = _e102;
-            phi_331_ = _e104;
+            let _e101 = phi_332_;
+            let _e103 = phi_333_;
+            phi_334_ = _e101;
+            phi_335_ = _e103;
         } else {
-            phi_330_ = bool();
-            phi_331_ = true;
+            phi_334_ = bool();
+            phi_335_ = true;
         }
-        let _e106 = phi_330_;
-        let _e108 = phi_331_;
-        if _e108 {
-            phi_335_ = false;
+        let _e105 = phi_334_;
+        let _e107 = phi_335_;
+        if _e107 {
+            phi_339_ = false;
         } else {
-            phi_335_ = _e106;
+            phi_339_ = _e105;
         }
-        let _e110 = phi_335_;
-        if !(_e110) {
-            let _e113 = samples.member[_e67.first_primitive].normal;
-            let _e115 = samples.member[_e67.first_primitive].position;
-            if ((((_e113.x * (_e84.x - (_e115.x * _e84.w))) + (_e113.y * (_e84.y - (_e115.y * _e84.w)))) + (_e113.z * (_e84.z - (_e115.z * _e84.w)))) > 0f) {
-                let _e139 = samples.member[_e67.first_primitive].flags;
-                let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e147.unnamed.visibility, false), _e147.unnamed_1);
-                phi_379_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e153.unnamed, ((_e139 & 1u) == 0u));
-            } else {
-                let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e162.unnamed.visibility, false), _e162.unnamed_1);
-                phi_379_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e168.unnamed, true);
-            }
-            let _e173 = phi_379_;
-            phi_383_ = _e173;
-        } else {
-            let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e185 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e179.unnamed.visibility, false), _e179.unnamed_1);
-            phi_383_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e185.unnamed, true);
-        }
-        let _e190 = phi_383_;
-        if _e190.unnamed_1 {
-            phi_1084_ = mask_Masked(_e190.unnamed.visibility, 0u, false);
-        } else {
-            let _e195 = (_e80 < 0.5f);
-            if (_e80 > 0f) {
-                phi_396_ = (_e80 < 1f);
-            } else {
-                phi_396_ = false;
-            }
-            let _e199 = phi_396_;
-            let _e201 = samples.member[_e67.first_primitive].position;
-            let _e205 = p.member.previous.eye;
-            let _e208 = (_e78.x - _e205.x);
-            let _e211 = (_e78.y - _e205.y);
-            let _e214 = (_e78.z - _e205.z);
-            let _e216 = p.member.previous.forward;
-            let _e224 = (((_e208 * _e216.x) + (_e211 * _e216.y)) + (_e214 * _e216.z));
-            let _e226 = p.member.previous.right;
-            let _e236 = p.member.previous.right;
-            let _e251 = p.member.previous.up;
-            let _e261 = p.member.previous.up;
-            let _e276 = p.member.current.eye;
-            let _e279 = (_e201.x - _e276.x);
-            let _e282 = (_e201.y - _e276.y);
-            let _e285 = (_e201.z - _e276.z);
-            let _e287 = p.member.current.forward;
-            let _e295 = (((_e279 * _e287.x) + (_e282 * _e287.y)) + (_e285 * _e287.z));
-            let _e297 = p.member.current.right;
-            let _e307 = p.member.current.right;
-            let _e322 = p.member.current.up;
-            let _e332 = p.member.current.up;
-            let _e351 = p.member.current.size[0u];
-            let _e353 = (((((((_e208 * _e226.x) + (_e211 * _e226.y)) + (_e214 * _e226.z)) / ((((_e236.x * _e236.x) + (_e236.y * _e236.y)) + (_e236.z * _e236.z)) * _e224)) - ((((_e279 * _e297.x) + (_e282 * _e297.y)) + (_e285 * _e297.z)) / ((((_e307.x * _e307.x) + (_e307.y * _e307.y)) + (_e307.z * _e307.z)) * _e295))) * 0.5f) * f32(_e351));
-            let _e357 = p.member.current.size[1u];
-            let _e359 = (((((((_e208 * _e251.x) + (_e211 * _e251.y)) + (_e214 * _e251.z)) / ((((_e261.x * _e261.x) + (_e261.y * _e261.y)) + (_e261.z * _e261.z)) * _e224)) - ((((_e279 * _e322.x) + (_e282 * _e322.y)) + (_e285 * _e322.z)) / ((((_e332.x * _e332.x) + (_e332.y * _e332.y)) + (_e332.z * _e332.z)) * _e295))) * -0.5f) * f32(_e357));
-            let _e363 = p.member.current.size[0u];
-            let _e365 = p.member.current.size[1u];
-            let _e369 = ((f32(_e51.x) + 0.5f) + _e353);
-            if (_e369 > -8388608f) {
-                let _e381 = f32(select(0i, select(select(i32(_e369), i32(-2147483648), (_e369 < bitcast<f32>(3472883712u))), 2147483647i, (_e369 > bitcast<f32>(1325400063u))), (_e369 == _e369)));
-                if (_e381 > _e369) {
-                    phi_585_ = 1f;
+        let _e109 = phi_339_;
+        if !(_e109) {
+            let _e112 = samples.member[_e67.first_primitive].position;
+            let _e114 = p.member.light.place;
+            let _e120 = p.member.light.place[3u];
+            let _e127 = (_e114.x - (_e112.x * _e120));
+            let _e128 = (_e114.y - (_e112.y * _e120));
+            let _e129 = (_e114.z - (_e112.z * _e120));
+            let _e131 = samples.member[_e67.first_primitive].normal;
+            if ((((_e131.x * _e127) + (_e131.y * _e128)) + (_e131.z * _e129)) > 0f) {
+                let _e145 = (((_e127 * _e127) + (_e128 * _e128)) + (_e129 * _e129));
+                let _e147 = p.member.light.axis;
+                let _e159 = p.member.light.place[3u];
+                if (_e159 == 0f) {
+                    phi_410_ = true;
                 } else {
-                    phi_585_ = 0f;
-                }
-                let _e384 = phi_585_;
-                if (_e369 < 8388608f) {
-                    phi_590_ = (_e381 - _e384);
-                    phi_591_ = false;
-                } else {
-                    phi_590_ = f32();
-                    phi_591_ = true;
-                }
-                let _e387 = phi_590_;
-                let _e389 = phi_591_;
-                phi_592_ = _e387;
-                phi_593_ = _e389;
-            } else {
-                phi_592_ = f32();
-                phi_593_ = true;
-            }
-            let _e391 = phi_592_;
-            let _e393 = phi_593_;
-            if _e393 {
-                phi_597_ = _e369;
-            } else {
-                phi_597_ = _e391;
-            }
-            let _e395 = phi_597_;
-            let _e398 = ((f32(_e51.y) + 0.5f) + _e359);
-            if (_e398 > -8388608f) {
-                let _e410 = f32(select(0i, select(select(i32(_e398), i32(-2147483648), (_e398 < bitcast<f32>(3472883712u))), 2147483647i, (_e398 > bitcast<f32>(1325400063u))), (_e398 == _e398)));
-                if (_e410 > _e398) {
-                    phi_620_ = 1f;
-                } else {
-                    phi_620_ = 0f;
-                }
-                let _e413 = phi_620_;
-                if (_e398 < 8388608f) {
-                    phi_625_ = (_e410 - _e413);
-                    phi_626_ = false;
-                } else {
-                    phi_625_ = f32();
-                    phi_626_ = true;
-                }
-                let _e416 = phi_625_;
-                let _e418 = phi_626_;
-                phi_627_ = _e416;
-                phi_628_ = _e418;
-            } else {
-                phi_627_ = f32();
-                phi_628_ = true;
-            }
-            let _e420 = phi_627_;
-            let _e422 = phi_628_;
-            if _e422 {
-                phi_632_ = _e398;
-            } else {
-                phi_632_ = _e420;
-            }
-            let _e424 = phi_632_;
-            if (_e395 >= 0f) {
-                if (_e424 >= 0f) {
-                    if (_e395 < f32(_e363)) {
-                        let _e430 = (_e424 < f32(_e365));
-                        if (_e353 == 0f) {
-                            phi_653_ = (_e359 == 0f);
-                        } else {
-                            phi_653_ = false;
-                        }
-                        let _e434 = phi_653_;
-                        if _e430 {
-                            phi_672_ = vec2<u32>(select(select(u32(_e395), 0u, (_e395 < bitcast<f32>(0u))), 4294967295u, (_e395 > bitcast<f32>(1333788671u))), select(select(u32(_e424), 0u, (_e424 < bitcast<f32>(0u))), 4294967295u, (_e424 > bitcast<f32>(1333788671u))));
-                            phi_673_ = false;
-                        } else {
-                            phi_672_ = vec2<u32>();
-                            phi_673_ = true;
-                        }
-                        let _e451 = phi_672_;
-                        let _e453 = phi_673_;
-                        phi_674_ = _e434;
-                        phi_675_ = _e430;
-                        phi_676_ = _e451;
-                        phi_677_ = _e434;
-                        phi_678_ = _e430;
-                        phi_679_ = false;
-                        phi_680_ = _e453;
+                    let _e162 = p.member.light.range_squared;
+                    if (_e145 <= _e162) {
+                        let _e165 = p.member.light.cos_outer;
+                        phi_409_ = (-((((_e127 * _e147.x) + (_e128 * _e147.y)) + (_e129 * _e147.z))) >= (_e165 * sqrt(_e145)));
                     } else {
-                        phi_674_ = bool();
-                        phi_675_ = bool();
-                        phi_676_ = vec2<u32>();
-                        phi_677_ = bool();
-                        phi_678_ = bool();
-                        phi_679_ = true;
-                        phi_680_ = false;
+                        phi_409_ = false;
                     }
-                    let _e455 = phi_674_;
-                    let _e457 = phi_675_;
-                    let _e459 = phi_676_;
-                    let _e461 = phi_677_;
-                    let _e463 = phi_678_;
-                    let _e465 = phi_679_;
-                    let _e467 = phi_680_;
-                    phi_681_ = _e455;
-                    phi_682_ = _e457;
-                    phi_683_ = _e459;
-                    phi_684_ = _e461;
-                    phi_685_ = _e463;
-                    phi_686_ = _e465;
-                    phi_687_ = _e467;
-                } else {
-                    phi_681_ = bool();
-                    phi_682_ = bool();
-                    phi_683_ = vec2<u32>();
-                    phi_684_ = bool();
-                    phi_685_ = bool();
-                    phi_686_ = true;
-                    phi_687_ = false;
+                    let _e170 = phi_409_;
+                    phi_410_ = _e170;
                 }
-                let _e469 = phi_681_;
-                let _e471 = phi_682_;
-                let _e473 = phi_683_;
-                let _e475 = phi_684_;
-                let _e477 = phi_685_;
-                let _e479 = phi_686_;
-                let _e481 = phi_687_;
-                phi_688_ = _e469;
-                phi_689_ = _e471;
-                phi_690_ = _e473;
-                phi_691_ = _e475;
-                phi_692_ = _e477;
-                phi_693_ = _e479;
-                phi_694_ = _e481;
-            } else {
-                phi_688_ = bool();
-                phi_689_ = bool();
-                phi_690_ = vec2<u32>();
-                phi_691_ = bool();
-                phi_692_ = bool();
-                phi_693_ = true;
-                phi_694_ = false;
-            }
-            let _e483 = phi_688_;
-            let _e485 = phi_689_;
-            let _e487 = phi_690_;
-            let _e489 = phi_691_;
-            let _e491 = phi_692_;
-            let _e493 = phi_693_;
-            let _e495 = phi_694_;
-            if _e493 {
-                if (_e353 == 0f) {
-                    phi_703_ = (_e359 == 0f);
+                let _e172 = phi_410_;
+                if _e172 {
+                    let _e174 = samples.member[_e67.first_primitive].flags;
+                    let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e182.unnamed.visibility, false), _e182.unnamed_1);
+                    phi_421_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e188.unnamed, ((_e174 & 1u) == 0u));
+                    phi_422_ = false;
                 } else {
-                    phi_703_ = false;
+                    phi_421_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_422_ = true;
                 }
-                let _e499 = phi_703_;
-                phi_704_ = _e499;
-                phi_705_ = false;
-                phi_706_ = true;
+                let _e193 = phi_421_;
+                let _e195 = phi_422_;
+                phi_423_ = _e193;
+                phi_424_ = _e195;
             } else {
-                phi_704_ = _e489;
-                phi_705_ = _e491;
-                phi_706_ = _e495;
+                phi_423_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_424_ = true;
             }
-            let _e501 = phi_704_;
-            let _e503 = phi_705_;
-            let _e505 = phi_706_;
-            if _e505 {
-                phi_710_ = _e501;
-                phi_711_ = _e503;
-                phi_712_ = vec2<u32>(_e51.x, _e51.y);
+            let _e197 = phi_423_;
+            let _e199 = phi_424_;
+            if _e199 {
+                let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
+                phi_431_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, true);
             } else {
-                phi_710_ = _e483;
-                phi_711_ = _e485;
-                phi_712_ = _e487;
+                phi_431_ = _e197;
             }
-            let _e507 = phi_710_;
-            let _e509 = phi_711_;
-            let _e511 = phi_712_;
-            let _e521 = lt_mask_Reprojection(vec2<u32>(_e511.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e528 = lt_mask_Reprojection(vec2<u32>(_e521.pixel.x, _e511.y), _e521.is_valid, _e521.has_moved);
-            let _e532 = lt_mask_Reprojection(_e528.pixel, _e509, _e528.has_moved);
-            let _e536 = lt_mask_Reprojection(_e532.pixel, _e532.is_valid, !(_e507));
-            if _e509 {
-                let _e539 = p.member.previous.eye;
-                let _e550 = p.member.previous.forward;
-                let _e559 = (((((_e78.x - _e539.x) * _e550.x) + ((_e78.y - _e539.y) * _e550.y)) + ((_e78.z - _e539.z) * _e550.z)) > 0f);
-                let _e563 = lt_mask_Reprojection(_e536.pixel, _e559, _e536.has_moved);
-                if _e559 {
-                    let _e565 = p.member.flags;
-                    phi_754_ = ((_e565 & 1u) != 0u);
+            let _e216 = phi_431_;
+            phi_435_ = _e216;
+        } else {
+            let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
+            phi_435_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, true);
+        }
+        let _e233 = phi_435_;
+        if _e233.unnamed_1 {
+            phi_1136_ = mask_Masked(_e233.unnamed.visibility, 0u, false);
+        } else {
+            let _e238 = (_e80 < 0.5f);
+            if (_e80 > 0f) {
+                phi_448_ = (_e80 < 1f);
+            } else {
+                phi_448_ = false;
+            }
+            let _e242 = phi_448_;
+            let _e244 = samples.member[_e67.first_primitive].position;
+            let _e248 = p.member.previous.eye;
+            let _e251 = (_e78.x - _e248.x);
+            let _e254 = (_e78.y - _e248.y);
+            let _e257 = (_e78.z - _e248.z);
+            let _e259 = p.member.previous.forward;
+            let _e267 = (((_e251 * _e259.x) + (_e254 * _e259.y)) + (_e257 * _e259.z));
+            let _e269 = p.member.previous.right;
+            let _e279 = p.member.previous.right;
+            let _e294 = p.member.previous.up;
+            let _e304 = p.member.previous.up;
+            let _e319 = p.member.current.eye;
+            let _e322 = (_e244.x - _e319.x);
+            let _e325 = (_e244.y - _e319.y);
+            let _e328 = (_e244.z - _e319.z);
+            let _e330 = p.member.current.forward;
+            let _e338 = (((_e322 * _e330.x) + (_e325 * _e330.y)) + (_e328 * _e330.z));
+            let _e340 = p.member.current.right;
+            let _e350 = p.member.current.right;
+            let _e365 = p.member.current.up;
+            let _e375 = p.member.current.up;
+            let _e394 = p.member.current.size[0u];
+            let _e396 = (((((((_e251 * _e269.x) + (_e254 * _e269.y)) + (_e257 * _e269.z)) / ((((_e279.x * _e279.x) + (_e279.y * _e279.y)) + (_e279.z * _e279.z)) * _e267)) - ((((_e322 * _e340.x) + (_e325 * _e340.y)) + (_e328 * _e340.z)) / ((((_e350.x * _e350.x) + (_e350.y * _e350.y)) + (_e350.z * _e350.z)) * _e338))) * 0.5f) * f32(_e394));
+            let _e400 = p.member.current.size[1u];
+            let _e402 = (((((((_e251 * _e294.x) + (_e254 * _e294.y)) + (_e257 * _e294.z)) / ((((_e304.x * _e304.x) + (_e304.y * _e304.y)) + (_e304.z * _e304.z)) * _e267)) - ((((_e322 * _e365.x) + (_e325 * _e365.y)) + (_e328 * _e365.z)) / ((((_e375.x * _e375.x) + (_e375.y * _e375.y)) + (_e375.z * _e375.z)) * _e338))) * -0.5f) * f32(_e400));
+            let _e406 = p.member.current.size[0u];
+            let _e408 = p.member.current.size[1u];
+            let _e412 = ((f32(_e51.x) + 0.5f) + _e396);
+            if (_e412 > -8388608f) {
+                let _e424 = f32(select(0i, select(select(i32(_e412), i32(-2147483648), (_e412 < bitcast<f32>(3472883712u))), 2147483647i, (_e412 > bitcast<f32>(1325400063u))), (_e412 == _e412)));
+                if (_e424 > _e412) {
+                    phi_637_ = 1f;
+                } else {
+                    phi_637_ = 0f;
+                }
+                let _e427 = phi_637_;
+                if (_e412 < 8388608f) {
+                    phi_642_ = (_e424 - _e427);
+                    phi_643_ = false;
+                } else {
+                    phi_642_ = f32();
+                    phi_643_ = true;
+                }
+                let _e430 = phi_642_;
+                let _e432 = phi_643_;
+                phi_644_ = _e430;
+                phi_645_ = _e432;
+            } else {
+                phi_644_ = f32();
+                phi_645_ = true;
+            }
+            let _e434 = phi_644_;
+            let _e436 = phi_645_;
+            if _e436 {
+                phi_649_ = _e412;
+            } else {
+                phi_649_ = _e434;
+            }
+            let _e438 = phi_649_;
+            let _e441 = ((f32(_e51.y) + 0.5f) + _e402);
+            if (_e441 > -8388608f) {
+                let _e453 = f32(select(0i, select(select(i32(_e441), i32(-2147483648), (_e441 < bitcast<f32>(3472883712u))), 2147483647i, (_e441 > bitcast<f32>(1325400063u))), (_e441 == _e441)));
+                if (_e453 > _e441) {
+                    phi_672_ = 1f;
+                } else {
+                    phi_672_ = 0f;
+                }
+                let _e456 = phi_672_;
+                if (_e441 < 8388608f) {
+                    phi_677_ = (_e453 - _e456);
+                    phi_678_ = false;
+                } else {
+                    phi_677_ = f32();
+                    phi_678_ = true;
+                }
+                let _e459 = phi_677_;
+                let _e461 = phi_678_;
+                phi_679_ = _e459;
+                phi_680_ = _e461;
+            } else {
+                phi_679_ = f32();
+                phi_680_ = true;
+            }
+            let _e463 = phi_679_;
+            let _e465 = phi_680_;
+            if _e465 {
+                phi_684_ = _e441;
+            } else {
+                phi_684_ = _e463;
+            }
+            let _e467 = phi_684_;
+            if (_e438 >= 0f) {
+                if (_e467 >= 0f) {
+                    if (_e438 < f32(_e406)) {
+                        let _e473 = (_e467 < f32(_e408));
+                        if (_e396 == 0f) {
+                            phi_705_ = (_e402 == 0f);
+                        } else {
+                            phi_705_ = false;
+                        }
+                        let _e477 = phi_705_;
+                        if _e473 {
+                            phi_724_ = vec2<u32>(select(select(u32(_e438), 0u, (_e438 < bitcast<f32>(0u))), 4294967295u, (_e438 > bitcast<f32>(1333788671u))), select(select(u32(_e467), 0u, (_e467 < bitcast<f32>(0u))), 4294967295u, (_e467 > bitcast<f32>(1333788671u))));
+                            phi_725_ = false;
+                        } else {
+                            phi_724_ = vec2<u32>();
+                            phi_725_ = true;
+                        }
+                        let _e494 = phi_724_;
+                        let _e496 = phi_725_;
+                        phi_726_ = _e477;
+                        phi_727_ = _e473;
+                        phi_728_ = _e494;
+                        phi_729_ = _e477;
+                        phi_730_ = _e473;
+                        phi_731_ = false;
+                        phi_732_ = _e496;
+                    } else {
+                        phi_726_ = bool();
+                        phi_727_ = bool();
+                        phi_728_ = vec2<u32>();
+                        phi_729_ = bool();
+                        phi_730_ = bool();
+                        phi_731_ = true;
+                        phi_732_ = false;
+                    }
+                    let _e498 = phi_726_;
+                    let _e500 = phi_727_;
+                    let _e502 = phi_728_;
+                    let _e504 = phi_729_;
+                    let _e506 = phi_730_;
+                    let _e508 = phi_731_;
+                    let _e510 = phi_732_;
+                    phi_733_ = _e498;
+                    phi_734_ = _e500;
+                    phi_735_ = _e502;
+                    phi_736_ = _e504;
+                    phi_737_ = _e506;
+                    phi_738_ = _e508;
+                    phi_739_ = _e510;
+                } else {
+                    phi_733_ = bool();
+                    phi_734_ = bool();
+                    phi_735_ = vec2<u32>();
+                    phi_736_ = bool();
+                    phi_737_ = bool();
+                    phi_738_ = true;
+                    phi_739_ = false;
+                }
+                let _e512 = phi_733_;
+                let _e514 = phi_734_;
+                let _e516 = phi_735_;
+                let _e518 = phi_736_;
+                let _e520 = phi_737_;
+                let _e522 = phi_738_;
+                let _e524 = phi_739_;
+                phi_740_ = _e512;
+                phi_741_ = _e514;
+                phi_742_ = _e516;
+                phi_743_ = _e518;
+                phi_744_ = _e520;
+                phi_745_ = _e522;
+                phi_746_ = _e524;
+            } else {
+                phi_740_ = bool();
+                phi_741_ = bool();
+                phi_742_ = vec2<u32>();
+                phi_743_ = bool();
+                phi_744_ = bool();
+                phi_745_ = true;
+                phi_746_ = false;
+            }
+            let _e526 = phi_740_;
+            let _e528 = phi_741_;
+            let _e530 = phi_742_;
+            let _e532 = phi_743_;
+            let _e534 = phi_744_;
+            let _e536 = phi_745_;
+            let _e538 = phi_746_;
+            if _e536 {
+                if (_e396 == 0f) {
+                    phi_755_ = (_e402 == 0f);
+                } else {
                     phi_755_ = false;
-                } else {
-                    phi_754_ = bool();
-                    phi_755_ = true;
                 }
-                let _e569 = phi_754_;
-                let _e571 = phi_755_;
-                phi_757_ = _e569;
-                phi_758_ = _e563;
-                phi_759_ = _e563;
-                phi_760_ = _e571;
+                let _e542 = phi_755_;
+                phi_756_ = _e542;
+                phi_757_ = false;
+                phi_758_ = true;
             } else {
-                phi_757_ = bool();
-                phi_758_ = lt_mask_Reprojection();
-                phi_759_ = lt_mask_Reprojection(_e536.pixel, false, _e536.has_moved);
-                phi_760_ = true;
+                phi_756_ = _e532;
+                phi_757_ = _e534;
+                phi_758_ = _e538;
             }
-            let _e577 = phi_757_;
-            let _e579 = phi_758_;
-            let _e581 = phi_759_;
-            let _e583 = phi_760_;
-            if _e583 {
-                phi_764_ = false;
-                phi_765_ = _e581;
+            let _e544 = phi_756_;
+            let _e546 = phi_757_;
+            let _e548 = phi_758_;
+            if _e548 {
+                phi_762_ = _e544;
+                phi_763_ = _e546;
+                phi_764_ = vec2<u32>(_e51.x, _e51.y);
             } else {
-                phi_764_ = _e577;
-                phi_765_ = _e579;
+                phi_762_ = _e526;
+                phi_763_ = _e528;
+                phi_764_ = _e530;
             }
-            let _e585 = phi_764_;
-            let _e587 = phi_765_;
-            let _e591 = lt_mask_Reprojection(_e587.pixel, _e585, _e587.has_moved);
-            let _e593 = p.member.flags;
-            if _e591.has_moved {
-                let _e598 = p.member.flags;
-                phi_779_ = ((_e598 & 4u) == 0u);
+            let _e550 = phi_762_;
+            let _e552 = phi_763_;
+            let _e554 = phi_764_;
+            let _e564 = lt_mask_Reprojection(vec2<u32>(_e554.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e571 = lt_mask_Reprojection(vec2<u32>(_e564.pixel.x, _e554.y), _e564.is_valid, _e564.has_moved);
+            let _e575 = lt_mask_Reprojection(_e571.pixel, _e552, _e571.has_moved);
+            let _e579 = lt_mask_Reprojection(_e575.pixel, _e575.is_valid, !(_e550));
+            if _e552 {
+                let _e582 = p.member.previous.eye;
+                let _e593 = p.member.previous.forward;
+                let _e602 = (((((_e78.x - _e582.x) * _e593.x) + ((_e78.y - _e582.y) * _e593.y)) + ((_e78.z - _e582.z) * _e593.z)) > 0f);
+                let _e606 = lt_mask_Reprojection(_e579.pixel, _e602, _e579.has_moved);
+                if _e602 {
+                    let _e608 = p.member.flags;
+                    phi_806_ = ((_e608 & 1u) != 0u);
+                    phi_807_ = false;
+                } else {
+                    phi_806_ = bool();
+                    phi_807_ = true;
+                }
+                let _e612 = phi_806_;
+                let _e614 = phi_807_;
+                phi_809_ = _e612;
+                phi_810_ = _e606;
+                phi_811_ = _e606;
+                phi_812_ = _e614;
             } else {
-                phi_779_ = false;
+                phi_809_ = bool();
+                phi_810_ = lt_mask_Reprojection();
+                phi_811_ = lt_mask_Reprojection(_e579.pixel, false, _e579.has_moved);
+                phi_812_ = true;
             }
-            let _e602 = phi_779_;
-            if ((_e593 & 2u) != 0u) {
+            let _e620 = phi_809_;
+            let _e622 = phi_810_;
+            let _e624 = phi_811_;
+            let _e626 = phi_812_;
+            if _e626 {
+                phi_816_ = false;
+                phi_817_ = _e624;
+            } else {
+                phi_816_ = _e620;
+                phi_817_ = _e622;
+            }
+            let _e628 = phi_816_;
+            let _e630 = phi_817_;
+            let _e634 = lt_mask_Reprojection(_e630.pixel, _e628, _e630.has_moved);
+            let _e636 = p.member.flags;
+            if _e634.has_moved {
+                let _e641 = p.member.flags;
+                phi_831_ = ((_e641 & 4u) == 0u);
+            } else {
+                phi_831_ = false;
+            }
+            let _e645 = phi_831_;
+            if ((_e636 & 2u) != 0u) {
                 if false {
-                    phi_792_ = bool();
-                    phi_793_ = true;
+                    phi_844_ = bool();
+                    phi_845_ = true;
                 } else {
                     if true {
-                        phi_790_ = !(_e602);
-                        phi_791_ = false;
+                        phi_842_ = !(_e645);
+                        phi_843_ = false;
                     } else {
-                        phi_790_ = bool();
-                        phi_791_ = true;
+                        phi_842_ = bool();
+                        phi_843_ = true;
                     }
-                    let _e605 = phi_790_;
-                    let _e607 = phi_791_;
-                    phi_792_ = _e605;
-                    phi_793_ = _e607;
+                    let _e648 = phi_842_;
+                    let _e650 = phi_843_;
+                    phi_844_ = _e648;
+                    phi_845_ = _e650;
                 }
-                let _e609 = phi_792_;
-                let _e611 = phi_793_;
-                phi_794_ = _e609;
-                phi_795_ = _e611;
+                let _e652 = phi_844_;
+                let _e654 = phi_845_;
+                phi_846_ = _e652;
+                phi_847_ = _e654;
             } else {
-                phi_794_ = bool();
-                phi_795_ = true;
+                phi_846_ = bool();
+                phi_847_ = true;
             }
-            let _e613 = phi_794_;
-            let _e615 = phi_795_;
-            if _e615 {
-                phi_799_ = false;
+            let _e656 = phi_846_;
+            let _e658 = phi_847_;
+            if _e658 {
+                phi_851_ = false;
             } else {
-                phi_799_ = _e613;
+                phi_851_ = _e656;
             }
-            let _e617 = phi_799_;
-            let _e618 = lt_mask_Neighbourhood(false, true);
-            if _e199 {
-                phi_804_ = _e617;
+            let _e660 = phi_851_;
+            let _e661 = lt_mask_Neighbourhood(false, true);
+            if _e242 {
+                phi_856_ = _e660;
             } else {
-                phi_804_ = true;
+                phi_856_ = true;
             }
-            let _e620 = phi_804_;
-            if _e620 {
-                if _e585 {
-                    if _e591.has_moved {
-                        let _e623 = p.member.moving_pattern;
-                        phi_819_ = _e623;
+            let _e663 = phi_856_;
+            if _e663 {
+                if _e628 {
+                    if _e634.has_moved {
+                        let _e666 = p.member.moving_pattern;
+                        phi_871_ = _e666;
                     } else {
-                        let _e625 = p.member.still_pattern;
-                        phi_819_ = _e625;
+                        let _e668 = p.member.still_pattern;
+                        phi_871_ = _e668;
                     }
-                    let _e627 = phi_819_;
-                    phi_821_ = 0u;
-                    phi_824_ = _e618;
+                    let _e670 = phi_871_;
+                    phi_873_ = 0u;
+                    phi_876_ = _e661;
                     loop {
-                        let _e629 = phi_821_;
-                        let _e631 = phi_824_;
-                        local_1 = _e631;
-                        if (1u <= _e627) {
-                            if (_e627 <= 4u) {
-                                phi_836_ = false;
+                        let _e672 = phi_873_;
+                        let _e674 = phi_876_;
+                        local_1 = _e674;
+                        if (1u <= _e670) {
+                            if (_e670 <= 4u) {
+                                phi_888_ = false;
                             } else {
-                                phi_836_ = true;
+                                phi_888_ = true;
                             }
-                            let _e635 = phi_836_;
-                            phi_837_ = _e635;
+                            let _e678 = phi_888_;
+                            phi_889_ = _e678;
                         } else {
-                            phi_837_ = true;
+                            phi_889_ = true;
                         }
-                        let _e637 = phi_837_;
-                        if _e637 {
-                            switch bitcast<i32>(_e627) {
+                        let _e680 = phi_889_;
+                        if _e680 {
+                            switch bitcast<i32>(_e670) {
                                 case 5: {
-                                    phi_846_ = 4u;
+                                    phi_898_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_846_ = 25u;
+                                    phi_898_ = 25u;
                                     break;
                                 }
                                 case 7: {
-                                    phi_846_ = 13u;
+                                    phi_898_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_846_ = 9u;
+                                    phi_898_ = 9u;
                                     break;
                                 }
                             }
-                            let _e640 = phi_846_;
-                            phi_847_ = _e640;
+                            let _e683 = phi_898_;
+                            phi_899_ = _e683;
                         } else {
-                            phi_847_ = 5u;
+                            phi_899_ = 5u;
                         }
-                        let _e642 = phi_847_;
-                        let _e643 = (_e629 < _e642);
-                        if _e643 {
-                            let _e649 = p.member.frame;
-                            let _e653 = p.member.current.size[0u];
-                            let _e655 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e627) {
+                        let _e685 = phi_899_;
+                        let _e686 = (_e672 < _e685);
+                        if _e686 {
+                            let _e692 = p.member.frame;
+                            let _e696 = p.member.current.size[0u];
+                            let _e698 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e670) {
                                 case 1: {
-                                    let _e665 = lt_mask_pattern_plus(_e629);
-                                    phi_927_ = vec2<i32>(_e665.x, _e665.y);
+                                    let _e708 = lt_mask_pattern_plus(_e672);
+                                    phi_979_ = vec2<i32>(_e708.x, _e708.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e669 = lt_mask_pattern_cross(_e629);
-                                    phi_927_ = vec2<i32>(_e669.x, _e669.y);
+                                    let _e712 = lt_mask_pattern_cross(_e672);
+                                    phi_979_ = vec2<i32>(_e712.x, _e712.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e675 = lt_mask_pattern_plus_or_cross(_e629, ((_e591.pixel.x + _e591.pixel.y) & 1u));
-                                    phi_927_ = vec2<i32>(_e675.x, _e675.y);
+                                    let _e718 = lt_mask_pattern_plus_or_cross(_e672, ((_e634.pixel.x + _e634.pixel.y) & 1u));
+                                    phi_979_ = vec2<i32>(_e718.x, _e718.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e680 = lt_mask_pattern_plus_or_cross(_e629, (_e649 & 1u));
-                                    phi_927_ = vec2<i32>(_e680.x, _e680.y);
+                                    let _e723 = lt_mask_pattern_plus_or_cross(_e672, (_e692 & 1u));
+                                    phi_979_ = vec2<i32>(_e723.x, _e723.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e649 & 3u)) {
+                                    switch bitcast<i32>((_e692 & 3u)) {
                                         case 0: {
-                                            phi_907_ = vec2(-1i);
+                                            phi_959_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_907_ = vec2(0i);
+                                            phi_959_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_907_ = vec2<i32>(0i, -1i);
+                                            phi_959_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_907_ = vec2<i32>(-1i, 0i);
+                                            phi_959_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e691 = phi_907_;
-                                    phi_927_ = (_e691 + vec2<i32>(bitcast<i32>((_e629 & 1u)), bitcast<i32>(((_e629 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e734 = phi_959_;
+                                    phi_979_ = (_e734 + vec2<i32>(bitcast<i32>((_e672 & 1u)), bitcast<i32>(((_e672 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_927_ = vec2<i32>((bitcast<i32>((_e629 % 5u)) - 2i), (bitcast<i32>(((_e629 / 5u) % 5u)) - 2i));
+                                    phi_979_ = vec2<i32>((bitcast<i32>((_e672 % 5u)) - 2i), (bitcast<i32>(((_e672 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 case 7: {
-                                    let _e708 = lt_mask_pattern_diamond(_e629);
-                                    phi_927_ = vec2<i32>(_e708.x, _e708.y);
+                                    let _e751 = lt_mask_pattern_diamond(_e672);
+                                    phi_979_ = vec2<i32>(_e751.x, _e751.y);
                                     break;
                                 }
                                 default: {
-                                    phi_927_ = vec2<i32>((bitcast<i32>((_e629 % 3u)) - 1i), (bitcast<i32>(((_e629 / 3u) % 3u)) - 1i));
+                                    phi_979_ = vec2<i32>((bitcast<i32>((_e672 % 3u)) - 1i), (bitcast<i32>(((_e672 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e713 = phi_927_;
-                            let _e716 = lt_mask_pattern_step_clamped(_e591.pixel.x, _e713.x, _e653);
-                            let _e717 = lt_mask_pattern_step_clamped(_e591.pixel.y, _e713.y, _e655);
-                            let _e719 = ((_e717 * _e75) + _e716);
-                            if (_e719 < arrayLength((&last_bits.member))) {
+                            let _e756 = phi_979_;
+                            let _e759 = lt_mask_pattern_step_clamped(_e634.pixel.x, _e756.x, _e696);
+                            let _e760 = lt_mask_pattern_step_clamped(_e634.pixel.y, _e756.y, _e698);
+                            let _e762 = ((_e760 * _e75) + _e759);
+                            if (_e762 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e723 = last_bits.member[(0u + _e719)];
-                            if ((_e723 & 2u) == 0u) {
-                                phi_950_ = (_e723 & 1u);
+                            let _e766 = last_bits.member[(0u + _e762)];
+                            if ((_e766 & 2u) == 0u) {
+                                phi_1002_ = (_e766 & 1u);
                             } else {
-                                phi_950_ = (_e723 & 7u);
+                                phi_1002_ = (_e766 & 7u);
                             }
-                            let _e729 = phi_950_;
-                            if _e631.any_expands {
-                                phi_976_ = true;
+                            let _e772 = phi_1002_;
+                            if _e674.any_expands {
+                                phi_1028_ = true;
                             } else {
-                                if ((_e729 & 2u) != 0u) {
-                                    if (((_e729 & 4u) != 0u) != _e195) {
-                                        phi_967_ = false;
+                                if ((_e772 & 2u) != 0u) {
+                                    if (((_e772 & 4u) != 0u) != _e238) {
+                                        phi_1019_ = false;
                                     } else {
-                                        phi_967_ = true;
+                                        phi_1019_ = true;
                                     }
-                                    let _e738 = phi_967_;
-                                    phi_968_ = _e738;
+                                    let _e781 = phi_1019_;
+                                    phi_1020_ = _e781;
                                 } else {
-                                    phi_968_ = true;
+                                    phi_1020_ = true;
                                 }
-                                let _e740 = phi_968_;
-                                if _e740 {
-                                    phi_975_ = (((_e729 & 1u) != 0u) != _e195);
+                                let _e783 = phi_1020_;
+                                if _e783 {
+                                    phi_1027_ = (((_e772 & 1u) != 0u) != _e238);
                                 } else {
-                                    phi_975_ = true;
+                                    phi_1027_ = true;
                                 }
-                                let _e745 = phi_975_;
-                                phi_976_ = _e745;
+                                let _e788 = phi_1027_;
+                                phi_1028_ = _e788;
                             }
-                            let _e747 = phi_976_;
-                            if _e631.all_remove {
-                                if (((_e729 & 1u) != 0u) == _e195) {
-                                    if ((_e729 & 2u) != 0u) {
-                                        phi_994_ = (((_e729 & 4u) != 0u) == _e195);
+                            let _e790 = phi_1028_;
+                            if _e674.all_remove {
+                                if (((_e772 & 1u) != 0u) == _e238) {
+                                    if ((_e772 & 2u) != 0u) {
+                                        phi_1046_ = (((_e772 & 4u) != 0u) == _e238);
                                     } else {
-                                        phi_994_ = true;
+                                        phi_1046_ = true;
                                     }
-                                    let _e757 = phi_994_;
-                                    phi_995_ = _e757;
+                                    let _e800 = phi_1046_;
+                                    phi_1047_ = _e800;
                                 } else {
-                                    phi_995_ = false;
+                                    phi_1047_ = false;
                                 }
-                                let _e759 = phi_995_;
-                                phi_996_ = _e759;
+                                let _e802 = phi_1047_;
+                                phi_1048_ = _e802;
                             } else {
-                                phi_996_ = false;
+                                phi_1048_ = false;
                             }
-                            let _e761 = phi_996_;
-                            phi_822_ = (_e629 + 1u);
-                            phi_825_ = lt_mask_Neighbourhood(_e747, _e761);
+                            let _e804 = phi_1048_;
+                            phi_874_ = (_e672 + 1u);
+                            phi_877_ = lt_mask_Neighbourhood(_e790, _e804);
                         } else {
-                            phi_822_ = u32();
-                            phi_825_ = lt_mask_Neighbourhood();
+                            phi_874_ = u32();
+                            phi_877_ = lt_mask_Neighbourhood();
                         }
-                        let _e765 = phi_822_;
-                        let _e767 = phi_825_;
+                        let _e808 = phi_874_;
+                        let _e810 = phi_877_;
                         continue;
                         continuing {
-                            phi_821_ = _e765;
-                            phi_824_ = _e767;
-                            break if !(_e643);
+                            phi_873_ = _e808;
+                            phi_876_ = _e810;
+                            break if !(_e686);
                         }
                     }
-                    let _e932 = local_1;
-                    phi_999_ = _e932;
+                    let _e981 = local_1;
+                    phi_1051_ = _e981;
                 } else {
-                    phi_999_ = _e618;
+                    phi_1051_ = _e661;
                 }
-                let _e770 = phi_999_;
-                phi_1000_ = _e770;
+                let _e813 = phi_1051_;
+                phi_1052_ = _e813;
             } else {
-                phi_1000_ = _e618;
+                phi_1052_ = _e661;
             }
-            let _e772 = phi_1000_;
+            let _e815 = phi_1052_;
             if (_e80 != 0.5f) {
-                if _e585 {
-                    if _e199 {
-                        phi_1026_ = true;
+                if _e628 {
+                    if _e242 {
+                        phi_1078_ = true;
                     } else {
-                        if _e772.any_expands {
-                            phi_1025_ = false;
+                        if _e815.any_expands {
+                            phi_1077_ = false;
                         } else {
-                            phi_1025_ = true;
+                            phi_1077_ = true;
                         }
-                        let _e777 = phi_1025_;
-                        phi_1026_ = _e777;
+                        let _e820 = phi_1077_;
+                        phi_1078_ = _e820;
                     }
-                    let _e779 = phi_1026_;
-                    if _e779 {
-                        if _e199 {
-                            if _e617 {
-                                if _e772.all_remove {
-                                    phi_1039_ = false;
+                    let _e822 = phi_1078_;
+                    if _e822 {
+                        if _e242 {
+                            if _e660 {
+                                if _e815.all_remove {
+                                    phi_1091_ = false;
                                 } else {
-                                    phi_1039_ = true;
+                                    phi_1091_ = true;
                                 }
-                                let _e781 = phi_1039_;
-                                phi_1040_ = _e781;
+                                let _e824 = phi_1091_;
+                                phi_1092_ = _e824;
                             } else {
-                                phi_1040_ = true;
+                                phi_1092_ = true;
                             }
-                            let _e783 = phi_1040_;
-                            phi_1041_ = _e783;
+                            let _e826 = phi_1092_;
+                            phi_1093_ = _e826;
                         } else {
-                            phi_1041_ = true;
+                            phi_1093_ = true;
                         }
-                        let _e785 = phi_1041_;
-                        if _e785 {
-                            if _e199 {
-                                phi_1048_ = 1u;
+                        let _e828 = phi_1093_;
+                        if _e828 {
+                            if _e242 {
+                                phi_1100_ = 1u;
                             } else {
-                                phi_1048_ = 0u;
+                                phi_1100_ = 0u;
                             }
-                            let _e787 = phi_1048_;
-                            phi_1049_ = _e787;
+                            let _e830 = phi_1100_;
+                            phi_1101_ = _e830;
                         } else {
-                            phi_1049_ = 5u;
+                            phi_1101_ = 5u;
                         }
-                        let _e789 = phi_1049_;
-                        phi_1050_ = _e789;
+                        let _e832 = phi_1101_;
+                        phi_1102_ = _e832;
                     } else {
-                        phi_1050_ = 4u;
+                        phi_1102_ = 4u;
                     }
-                    let _e791 = phi_1050_;
-                    phi_1051_ = _e791;
+                    let _e834 = phi_1102_;
+                    phi_1103_ = _e834;
                 } else {
-                    phi_1051_ = 3u;
+                    phi_1103_ = 3u;
                 }
-                let _e793 = phi_1051_;
-                phi_1052_ = _e793;
+                let _e836 = phi_1103_;
+                phi_1104_ = _e836;
             } else {
-                phi_1052_ = 2u;
+                phi_1104_ = 2u;
             }
-            let _e795 = phi_1052_;
-            if !((_e795 == 0u)) {
-                phi_1060_ = !((_e795 == 5u));
+            let _e838 = phi_1104_;
+            if !((_e838 == 0u)) {
+                phi_1112_ = !((_e838 == 5u));
             } else {
-                phi_1060_ = false;
+                phi_1112_ = false;
             }
-            let _e801 = phi_1060_;
-            if _e801 {
-                if _e195 {
-                    phi_1068_ = (2u | 1u);
+            let _e844 = phi_1112_;
+            if _e844 {
+                if _e238 {
+                    phi_1120_ = (2u | 1u);
                 } else {
-                    phi_1068_ = 2u;
+                    phi_1120_ = 2u;
                 }
-                let _e804 = phi_1068_;
+                let _e847 = phi_1120_;
                 if false {
-                    phi_1073_ = (_e804 | 4u);
+                    phi_1125_ = (_e847 | 4u);
                 } else {
-                    phi_1073_ = _e804;
+                    phi_1125_ = _e847;
                 }
-                let _e807 = phi_1073_;
-                phi_1078_ = _e807;
+                let _e850 = phi_1125_;
+                phi_1130_ = _e850;
             } else {
-                if _e195 {
-                    phi_1077_ = 1u;
+                if _e238 {
+                    phi_1129_ = 1u;
                 } else {
-                    phi_1077_ = 0u;
+                    phi_1129_ = 0u;
                 }
-                let _e809 = phi_1077_;
-                phi_1078_ = _e809;
+                let _e852 = phi_1129_;
+                phi_1130_ = _e852;
             }
-            let _e811 = phi_1078_;
-            if _e195 {
-                phi_1082_ = 0f;
+            let _e854 = phi_1130_;
+            if _e238 {
+                phi_1134_ = 0f;
             } else {
-                phi_1082_ = 1f;
+                phi_1134_ = 1f;
             }
-            let _e813 = phi_1082_;
-            phi_1084_ = mask_Masked(_e813, _e811, _e801);
+            let _e856 = phi_1134_;
+            phi_1136_ = mask_Masked(_e856, _e854, _e844);
         }
-        let _e816 = phi_1084_;
-        visibility.member[_e67.first_primitive] = _e816.visibility;
-        bits.member[_e67.first_primitive] = _e816.bits;
-        phi_1090_ = _e816.needs_ray;
-        phi_1091_ = _e67.first_primitive;
+        let _e859 = phi_1136_;
+        visibility.member[_e67.first_primitive] = _e859.visibility;
+        bits.member[_e67.first_primitive] = _e859.bits;
+        phi_1142_ = _e859.needs_ray;
+        phi_1143_ = _e67.first_primitive;
     } else {
-        phi_1090_ = false;
-        phi_1091_ = 0u;
+        phi_1142_ = false;
+        phi_1143_ = 0u;
     }
-    let _e823 = phi_1090_;
-    let _e825 = phi_1091_;
+    let _e866 = phi_1142_;
+    let _e868 = phi_1143_;
     if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e823 {
-        let _e829 = atomicAdd((&shared_[0u]), 1u);
-        phi_1102_ = _e829;
+    if _e866 {
+        let _e872 = atomicAdd((&shared_[0u]), 1u);
+        phi_1154_ = _e872;
     } else {
-        phi_1102_ = 0u;
+        phi_1154_ = 0u;
     }
-    let _e831 = phi_1102_;
+    let _e874 = phi_1154_;
     workgroupBarrier();
     if (_e52 == 0u) {
-        let _e835 = atomicLoad((&shared_[0u]));
-        let _e836 = atomicAdd((&list.member[3u]), _e835);
-        atomicStore((&shared_[1u]), _e836);
+        let _e878 = atomicLoad((&shared_[0u]));
+        let _e879 = atomicAdd((&list.member[3u]), _e878);
+        atomicStore((&shared_[1u]), _e879);
     }
     workgroupBarrier();
-    if _e823 {
-        let _e839 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e839) + _e831)]), _e825);
+    if _e866 {
+        let _e882 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e882) + _e874)]), _e868);
     }
     return;
 }

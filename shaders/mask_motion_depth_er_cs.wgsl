@@ -11,10 +11,19 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
-    light: vec4<f32>,
+    light: abi_LightParams,
     frame: u32,
     still_pattern: u32,
     moving_pattern: u32,
@@ -82,7 +91,7 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<atomic<u32>>,
 }
 
@@ -99,7 +108,7 @@ var<storage, read_write> bits: type_17;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_21;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_43;
+var<storage, read_write> list: type_44;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
@@ -108,272 +117,278 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_165_: lt_bvh_traverse_Tree;
-    var phi_166_: bool;
-    var phi_167_: lt_bvh_traverse_Tree;
-    var phi_168_: bool;
-    var phi_173_: lt_bvh_traverse_Tree;
+    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_169_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_171_: bool;
+    var phi_176_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_165_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_166_ = false;
+            phi_168_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_169_ = false;
         } else {
-            phi_165_ = lt_bvh_traverse_Tree();
-            phi_166_ = true;
+            phi_168_ = lt_bvh_traverse_Tree();
+            phi_169_ = true;
         }
-        let _e68 = phi_165_;
-        let _e70 = phi_166_;
-        phi_167_ = _e68;
-        phi_168_ = _e70;
+        let _e68 = phi_168_;
+        let _e70 = phi_169_;
+        phi_170_ = _e68;
+        phi_171_ = _e70;
     } else {
-        phi_167_ = lt_bvh_traverse_Tree();
-        phi_168_ = true;
+        phi_170_ = lt_bvh_traverse_Tree();
+        phi_171_ = true;
     }
-    let _e72 = phi_167_;
-    let _e74 = phi_168_;
+    let _e72 = phi_170_;
+    let _e74 = phi_171_;
     if _e74 {
-        phi_173_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_176_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_173_ = _e72;
+        phi_176_ = _e72;
     }
-    let _e79 = phi_173_;
+    let _e79 = phi_176_;
     return lt_bvh_traverse_Tree(_e79.root, _e79.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_191_: vec2<i32>;
+    var phi_194_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_191_ = vec2(0i);
+            phi_194_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_191_ = vec2<i32>(0i, -1i);
+            phi_194_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_191_ = vec2<i32>(-1i, 0i);
+            phi_194_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_191_ = vec2<i32>(1i, 0i);
+            phi_194_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_191_ = vec2<i32>(0i, 1i);
+            phi_194_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e64 = phi_191_;
+    let _e64 = phi_194_;
     return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_209_: vec2<i32>;
+    var phi_212_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_209_ = vec2(0i);
+            phi_212_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_209_ = vec2(-1i);
+            phi_212_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_209_ = vec2<i32>(1i, -1i);
+            phi_212_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_209_ = vec2<i32>(-1i, 1i);
+            phi_212_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_209_ = vec2(1i);
+            phi_212_ = vec2(1i);
             break;
         }
     }
-    let _e64 = phi_209_;
+    let _e64 = phi_212_;
     return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_228_: vec2<i32>;
+    var phi_231_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e58 = lt_mask_pattern_plus(param_5);
-        phi_228_ = vec2<i32>(_e58.x, _e58.y);
+        phi_231_ = vec2<i32>(_e58.x, _e58.y);
     } else {
         let _e62 = lt_mask_pattern_cross(param_5);
-        phi_228_ = vec2<i32>(_e62.x, _e62.y);
+        phi_231_ = vec2<i32>(_e62.x, _e62.y);
     }
-    let _e67 = phi_228_;
+    let _e67 = phi_231_;
     return vec2<i32>(_e67.x, _e67.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_253_: vec2<i32>;
+    var phi_256_: vec2<i32>;
 
     let _e56 = (param_7 % 13u);
     switch bitcast<i32>(_e56) {
         case 9: {
-            phi_253_ = vec2<i32>(0i, -2i);
+            phi_256_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_253_ = vec2<i32>(-2i, 0i);
+            phi_256_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_253_ = vec2<i32>(2i, 0i);
+            phi_256_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_253_ = vec2<i32>(0i, 2i);
+            phi_256_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_253_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
+            phi_256_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e71 = phi_253_;
+    let _e71 = phi_256_;
     return vec2<i32>(_e71.x, _e71.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_274_: u32;
-    var phi_275_: u32;
+    var phi_277_: u32;
+    var phi_278_: u32;
 
     let _e59 = (bitcast<i32>(param_8) + param_9);
     if (_e59 < 0i) {
-        phi_275_ = 0u;
+        phi_278_ = 0u;
     } else {
         if (_e59 >= bitcast<i32>(param_10)) {
-            phi_274_ = (param_10 - 1u);
+            phi_277_ = (param_10 - 1u);
         } else {
-            phi_274_ = bitcast<u32>(_e59);
+            phi_277_ = bitcast<u32>(_e59);
         }
-        let _e66 = phi_274_;
-        phi_275_ = _e66;
+        let _e66 = phi_277_;
+        phi_278_ = _e66;
     }
-    let _e68 = phi_275_;
+    let _e68 = phi_278_;
     return _e68;
 }
 
 fn function_() {
-    var phi_341_: bool;
-    var phi_342_: bool;
     var phi_343_: bool;
     var phi_344_: bool;
-    var phi_348_: bool;
-    var phi_392_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_396_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_409_: bool;
-    var phi_598_: f32;
-    var phi_603_: f32;
-    var phi_604_: bool;
-    var phi_605_: f32;
-    var phi_606_: bool;
-    var phi_610_: f32;
-    var phi_633_: f32;
-    var phi_638_: f32;
-    var phi_639_: bool;
-    var phi_640_: f32;
-    var phi_641_: bool;
-    var phi_645_: f32;
-    var phi_666_: bool;
-    var phi_685_: vec2<u32>;
-    var phi_686_: bool;
-    var phi_687_: bool;
-    var phi_688_: bool;
-    var phi_689_: vec2<u32>;
-    var phi_690_: bool;
+    var phi_345_: bool;
+    var phi_346_: bool;
+    var phi_350_: bool;
+    var phi_420_: bool;
+    var phi_421_: bool;
+    var phi_432_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_433_: bool;
+    var phi_434_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_435_: bool;
+    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_446_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_459_: bool;
+    var phi_648_: f32;
+    var phi_653_: f32;
+    var phi_654_: bool;
+    var phi_655_: f32;
+    var phi_656_: bool;
+    var phi_660_: f32;
+    var phi_683_: f32;
+    var phi_688_: f32;
+    var phi_689_: bool;
+    var phi_690_: f32;
     var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_694_: bool;
-    var phi_695_: bool;
-    var phi_696_: vec2<u32>;
-    var phi_697_: bool;
-    var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_701_: bool;
-    var phi_702_: bool;
-    var phi_703_: vec2<u32>;
-    var phi_704_: bool;
-    var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_707_: bool;
+    var phi_695_: f32;
     var phi_716_: bool;
-    var phi_717_: bool;
-    var phi_718_: bool;
-    var phi_719_: bool;
-    var phi_723_: bool;
-    var phi_724_: bool;
-    var phi_725_: vec2<u32>;
-    var phi_814_: bool;
-    var phi_818_: f32;
-    var phi_822_: lt_mask_Reprojection;
-    var phi_831_: bool;
-    var phi_832_: bool;
-    var phi_834_: bool;
-    var phi_835_: lt_mask_Reprojection;
-    var phi_836_: lt_mask_Reprojection;
-    var phi_837_: bool;
-    var phi_841_: bool;
-    var phi_842_: lt_mask_Reprojection;
-    var phi_870_: u32;
-    var phi_872_: u32;
-    var phi_875_: lt_mask_Neighbourhood;
+    var phi_735_: vec2<u32>;
+    var phi_736_: bool;
+    var phi_737_: bool;
+    var phi_738_: bool;
+    var phi_739_: vec2<u32>;
+    var phi_740_: bool;
+    var phi_741_: bool;
+    var phi_742_: bool;
+    var phi_743_: bool;
+    var phi_744_: bool;
+    var phi_745_: bool;
+    var phi_746_: vec2<u32>;
+    var phi_747_: bool;
+    var phi_748_: bool;
+    var phi_749_: bool;
+    var phi_750_: bool;
+    var phi_751_: bool;
+    var phi_752_: bool;
+    var phi_753_: vec2<u32>;
+    var phi_754_: bool;
+    var phi_755_: bool;
+    var phi_756_: bool;
+    var phi_757_: bool;
+    var phi_766_: bool;
+    var phi_767_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_773_: bool;
+    var phi_774_: bool;
+    var phi_775_: vec2<u32>;
+    var phi_864_: bool;
+    var phi_868_: f32;
+    var phi_872_: lt_mask_Reprojection;
+    var phi_881_: bool;
+    var phi_882_: bool;
+    var phi_884_: bool;
+    var phi_885_: lt_mask_Reprojection;
+    var phi_886_: lt_mask_Reprojection;
     var phi_887_: bool;
-    var phi_888_: bool;
-    var phi_897_: u32;
-    var phi_898_: u32;
-    var phi_958_: vec2<i32>;
-    var phi_978_: vec2<i32>;
-    var phi_1001_: u32;
-    var phi_1018_: bool;
-    var phi_1019_: bool;
-    var phi_1026_: bool;
-    var phi_1027_: bool;
-    var phi_1045_: bool;
-    var phi_1046_: bool;
-    var phi_1047_: bool;
-    var phi_873_: u32;
-    var phi_876_: lt_mask_Neighbourhood;
-    var phi_1050_: lt_mask_Neighbourhood;
-    var phi_1051_: lt_mask_Neighbourhood;
-    var phi_1052_: lt_mask_Neighbourhood;
+    var phi_891_: bool;
+    var phi_892_: lt_mask_Reprojection;
+    var phi_920_: u32;
+    var phi_922_: u32;
+    var phi_925_: lt_mask_Neighbourhood;
+    var phi_937_: bool;
+    var phi_938_: bool;
+    var phi_947_: u32;
+    var phi_948_: u32;
+    var phi_1008_: vec2<i32>;
+    var phi_1028_: vec2<i32>;
+    var phi_1051_: u32;
+    var phi_1068_: bool;
+    var phi_1069_: bool;
+    var phi_1076_: bool;
     var phi_1077_: bool;
-    var phi_1078_: bool;
-    var phi_1091_: bool;
-    var phi_1092_: bool;
-    var phi_1093_: bool;
-    var phi_1100_: u32;
-    var phi_1101_: u32;
-    var phi_1102_: u32;
-    var phi_1103_: u32;
-    var phi_1104_: u32;
-    var phi_1112_: bool;
-    var phi_1120_: u32;
-    var phi_1125_: u32;
-    var phi_1129_: u32;
-    var phi_1130_: u32;
-    var phi_1134_: f32;
-    var phi_1136_: mask_Masked;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1166_: bool;
-    var phi_1167_: bool;
-    var phi_1171_: bool;
-    var phi_1199_: f32;
-    var phi_1202_: bool;
-    var phi_1203_: u32;
-    var phi_1214_: u32;
+    var phi_1095_: bool;
+    var phi_1096_: bool;
+    var phi_1097_: bool;
+    var phi_923_: u32;
+    var phi_926_: lt_mask_Neighbourhood;
+    var phi_1100_: lt_mask_Neighbourhood;
+    var phi_1101_: lt_mask_Neighbourhood;
+    var phi_1102_: lt_mask_Neighbourhood;
+    var phi_1127_: bool;
+    var phi_1128_: bool;
+    var phi_1141_: bool;
+    var phi_1142_: bool;
+    var phi_1143_: bool;
+    var phi_1150_: u32;
+    var phi_1151_: u32;
+    var phi_1152_: u32;
+    var phi_1153_: u32;
+    var phi_1154_: u32;
+    var phi_1162_: bool;
+    var phi_1170_: u32;
+    var phi_1175_: u32;
+    var phi_1179_: u32;
+    var phi_1180_: u32;
+    var phi_1184_: f32;
+    var phi_1186_: mask_Masked;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1217_: bool;
+    var phi_1221_: bool;
+    var phi_1249_: f32;
+    var phi_1252_: bool;
+    var phi_1253_: u32;
+    var phi_1264_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e55 = id_1;
@@ -385,731 +400,770 @@ fn function_() {
         let _e83 = p.member.current.size[0u];
         let _e86 = samples.member[_e75.first_primitive].position;
         let _e88 = visibility.member[_e75.first_primitive];
-        let _e92 = p.member.light;
-        let _e95 = samples.member[_e75.first_primitive].normal[0u];
-        let _e97 = global[0u];
-        if (_e95 == _e97) {
-            let _e100 = samples.member[_e75.first_primitive].normal[1u];
-            let _e102 = global[1u];
-            if (_e100 == _e102) {
-                let _e105 = samples.member[_e75.first_primitive].normal[2u];
-                let _e107 = global[2u];
-                phi_341_ = (_e105 == _e107);
-                phi_342_ = false;
+        let _e94 = samples.member[_e75.first_primitive].normal[0u];
+        let _e96 = global[0u];
+        if (_e94 == _e96) {
+            let _e99 = samples.member[_e75.first_primitive].normal[1u];
+            let _e101 = global[1u];
+            if (_e99 == _e101) {
+                let _e104 = samples.member[_e75.first_primitive].normal[2u];
+                let _e106 = global[2u];
+                phi_343_ = (_e104 == _e106);
+                phi_344_ = false;
             } else {
-                phi_341_ = bool();
-                phi_342_ = true;
+                phi_343_ = bool();
+                phi_344_ = true;
             }
-            let _e110 = phi_341_;
-            let _e112 = phi_342_;
-            phi_343_ = _e110;
-            phi_344_ = _e112;
+            let _e109 = phi_343_;
+            let _e111 = phi_344_;
+            phi_345_ = _e109;
+            phi_346_ = _e111;
         } else {
-            phi_343_ = bool();
-            phi_344_ = true;
+            phi_345_ = bool();
+            phi_346_ = true;
         }
-        let _e114 = phi_343_;
-        let _e116 = phi_344_;
-        if _e116 {
-            phi_348_ = false;
+        let _e113 = phi_345_;
+        let _e115 = phi_346_;
+        if _e115 {
+            phi_350_ = false;
         } else {
-            phi_348_ = _e114;
+            phi_350_ = _e113;
         }
-        let _e118 = phi_348_;
-        if !(_e118) {
-            let _e121 = samples.member[_e75.first_primitive].normal;
-            let _e123 = samples.member[_e75.first_primitive].position;
-            if ((((_e121.x * (_e92.x - (_e123.x * _e92.w))) + (_e121.y * (_e92.y - (_e123.y * _e92.w)))) + (_e121.z * (_e92.z - (_e123.z * _e92.w)))) > 0f) {
-                let _e147 = samples.member[_e75.first_primitive].flags;
-                let _e155 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e155.unnamed.visibility, false), _e155.unnamed_1);
-                phi_392_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e161.unnamed, ((_e147 & 1u) == 0u));
-            } else {
-                let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
-                phi_392_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, true);
-            }
-            let _e181 = phi_392_;
-            phi_396_ = _e181;
-        } else {
-            let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e187.unnamed.visibility, false), _e187.unnamed_1);
-            phi_396_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e193.unnamed, true);
-        }
-        let _e198 = phi_396_;
-        if _e198.unnamed_1 {
-            phi_1136_ = mask_Masked(_e198.unnamed.visibility, 0u, false);
-        } else {
-            let _e203 = (_e88 < 0.5f);
-            if (_e88 > 0f) {
-                phi_409_ = (_e88 < 1f);
-            } else {
-                phi_409_ = false;
-            }
-            let _e207 = phi_409_;
-            let _e209 = samples.member[_e75.first_primitive].position;
-            let _e213 = p.member.previous.eye;
-            let _e216 = (_e86.x - _e213.x);
-            let _e219 = (_e86.y - _e213.y);
-            let _e222 = (_e86.z - _e213.z);
-            let _e224 = p.member.previous.forward;
-            let _e232 = (((_e216 * _e224.x) + (_e219 * _e224.y)) + (_e222 * _e224.z));
-            let _e234 = p.member.previous.right;
-            let _e244 = p.member.previous.right;
-            let _e259 = p.member.previous.up;
-            let _e269 = p.member.previous.up;
-            let _e284 = p.member.current.eye;
-            let _e287 = (_e209.x - _e284.x);
-            let _e290 = (_e209.y - _e284.y);
-            let _e293 = (_e209.z - _e284.z);
-            let _e295 = p.member.current.forward;
-            let _e303 = (((_e287 * _e295.x) + (_e290 * _e295.y)) + (_e293 * _e295.z));
-            let _e305 = p.member.current.right;
-            let _e315 = p.member.current.right;
-            let _e330 = p.member.current.up;
-            let _e340 = p.member.current.up;
-            let _e359 = p.member.current.size[0u];
-            let _e361 = (((((((_e216 * _e234.x) + (_e219 * _e234.y)) + (_e222 * _e234.z)) / ((((_e244.x * _e244.x) + (_e244.y * _e244.y)) + (_e244.z * _e244.z)) * _e232)) - ((((_e287 * _e305.x) + (_e290 * _e305.y)) + (_e293 * _e305.z)) / ((((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)) * _e303))) * 0.5f) * f32(_e359));
-            let _e365 = p.member.current.size[1u];
-            let _e367 = (((((((_e216 * _e259.x) + (_e219 * _e259.y)) + (_e222 * _e259.z)) / ((((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)) * _e232)) - ((((_e287 * _e330.x) + (_e290 * _e330.y)) + (_e293 * _e330.z)) / ((((_e340.x * _e340.x) + (_e340.y * _e340.y)) + (_e340.z * _e340.z)) * _e303))) * -0.5f) * f32(_e365));
-            let _e371 = p.member.current.size[0u];
-            let _e373 = p.member.current.size[1u];
-            let _e377 = ((f32(_e55.x) + 0.5f) + _e361);
-            if (_e377 > -8388608f) {
-                let _e389 = f32(select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377)));
-                if (_e389 > _e377) {
-                    phi_598_ = 1f;
+        let _e117 = phi_350_;
+        if !(_e117) {
+            let _e120 = samples.member[_e75.first_primitive].position;
+            let _e122 = p.member.light.place;
+            let _e128 = p.member.light.place[3u];
+            let _e135 = (_e122.x - (_e120.x * _e128));
+            let _e136 = (_e122.y - (_e120.y * _e128));
+            let _e137 = (_e122.z - (_e120.z * _e128));
+            let _e139 = samples.member[_e75.first_primitive].normal;
+            if ((((_e139.x * _e135) + (_e139.y * _e136)) + (_e139.z * _e137)) > 0f) {
+                let _e153 = (((_e135 * _e135) + (_e136 * _e136)) + (_e137 * _e137));
+                let _e155 = p.member.light.axis;
+                let _e167 = p.member.light.place[3u];
+                if (_e167 == 0f) {
+                    phi_421_ = true;
                 } else {
-                    phi_598_ = 0f;
-                }
-                let _e392 = phi_598_;
-                if (_e377 < 8388608f) {
-                    phi_603_ = (_e389 - _e392);
-                    phi_604_ = false;
-                } else {
-                    phi_603_ = f32();
-                    phi_604_ = true;
-                }
-                let _e395 = phi_603_;
-                let _e397 = phi_604_;
-                phi_605_ = _e395;
-                phi_606_ = _e397;
-            } else {
-                phi_605_ = f32();
-                phi_606_ = true;
-            }
-            let _e399 = phi_605_;
-            let _e401 = phi_606_;
-            if _e401 {
-                phi_610_ = _e377;
-            } else {
-                phi_610_ = _e399;
-            }
-            let _e403 = phi_610_;
-            let _e406 = ((f32(_e55.y) + 0.5f) + _e367);
-            if (_e406 > -8388608f) {
-                let _e418 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
-                if (_e418 > _e406) {
-                    phi_633_ = 1f;
-                } else {
-                    phi_633_ = 0f;
-                }
-                let _e421 = phi_633_;
-                if (_e406 < 8388608f) {
-                    phi_638_ = (_e418 - _e421);
-                    phi_639_ = false;
-                } else {
-                    phi_638_ = f32();
-                    phi_639_ = true;
-                }
-                let _e424 = phi_638_;
-                let _e426 = phi_639_;
-                phi_640_ = _e424;
-                phi_641_ = _e426;
-            } else {
-                phi_640_ = f32();
-                phi_641_ = true;
-            }
-            let _e428 = phi_640_;
-            let _e430 = phi_641_;
-            if _e430 {
-                phi_645_ = _e406;
-            } else {
-                phi_645_ = _e428;
-            }
-            let _e432 = phi_645_;
-            if (_e403 >= 0f) {
-                if (_e432 >= 0f) {
-                    if (_e403 < f32(_e371)) {
-                        let _e438 = (_e432 < f32(_e373));
-                        if (_e361 == 0f) {
-                            phi_666_ = (_e367 == 0f);
-                        } else {
-                            phi_666_ = false;
-                        }
-                        let _e442 = phi_666_;
-                        if _e438 {
-                            phi_685_ = vec2<u32>(select(select(u32(_e403), 0u, (_e403 < bitcast<f32>(0u))), 4294967295u, (_e403 > bitcast<f32>(1333788671u))), select(select(u32(_e432), 0u, (_e432 < bitcast<f32>(0u))), 4294967295u, (_e432 > bitcast<f32>(1333788671u))));
-                            phi_686_ = false;
-                        } else {
-                            phi_685_ = vec2<u32>();
-                            phi_686_ = true;
-                        }
-                        let _e459 = phi_685_;
-                        let _e461 = phi_686_;
-                        phi_687_ = _e442;
-                        phi_688_ = _e438;
-                        phi_689_ = _e459;
-                        phi_690_ = _e442;
-                        phi_691_ = _e438;
-                        phi_692_ = false;
-                        phi_693_ = _e461;
+                    let _e170 = p.member.light.range_squared;
+                    if (_e153 <= _e170) {
+                        let _e173 = p.member.light.cos_outer;
+                        phi_420_ = (-((((_e135 * _e155.x) + (_e136 * _e155.y)) + (_e137 * _e155.z))) >= (_e173 * sqrt(_e153)));
                     } else {
-                        phi_687_ = bool();
-                        phi_688_ = bool();
-                        phi_689_ = vec2<u32>();
-                        phi_690_ = bool();
-                        phi_691_ = bool();
-                        phi_692_ = true;
-                        phi_693_ = false;
+                        phi_420_ = false;
                     }
-                    let _e463 = phi_687_;
-                    let _e465 = phi_688_;
-                    let _e467 = phi_689_;
-                    let _e469 = phi_690_;
-                    let _e471 = phi_691_;
-                    let _e473 = phi_692_;
-                    let _e475 = phi_693_;
-                    phi_694_ = _e463;
-                    phi_695_ = _e465;
-                    phi_696_ = _e467;
-                    phi_697_ = _e469;
-                    phi_698_ = _e471;
-                    phi_699_ = _e473;
-                    phi_700_ = _e475;
-                } else {
-                    phi_694_ = bool();
-                    phi_695_ = bool();
-                    phi_696_ = vec2<u32>();
-                    phi_697_ = bool();
-                    phi_698_ = bool();
-                    phi_699_ = true;
-                    phi_700_ = false;
+                    let _e178 = phi_420_;
+                    phi_421_ = _e178;
                 }
-                let _e477 = phi_694_;
-                let _e479 = phi_695_;
-                let _e481 = phi_696_;
-                let _e483 = phi_697_;
-                let _e485 = phi_698_;
-                let _e487 = phi_699_;
-                let _e489 = phi_700_;
-                phi_701_ = _e477;
-                phi_702_ = _e479;
-                phi_703_ = _e481;
-                phi_704_ = _e483;
-                phi_705_ = _e485;
-                phi_706_ = _e487;
-                phi_707_ = _e489;
-            } else {
-                phi_701_ = bool();
-                phi_702_ = bool();
-                phi_703_ = vec2<u32>();
-                phi_704_ = bool();
-                phi_705_ = bool();
-                phi_706_ = true;
-                phi_707_ = false;
-            }
-            let _e491 = phi_701_;
-            let _e493 = phi_702_;
-            let _e495 = phi_703_;
-            let _e497 = phi_704_;
-            let _e499 = phi_705_;
-            let _e501 = phi_706_;
-            let _e503 = phi_707_;
-            if _e501 {
-                if (_e361 == 0f) {
-                    phi_716_ = (_e367 == 0f);
+                let _e180 = phi_421_;
+                if _e180 {
+                    let _e182 = samples.member[_e75.first_primitive].flags;
+                    let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
+                    phi_432_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, ((_e182 & 1u) == 0u));
+                    phi_433_ = false;
                 } else {
-                    phi_716_ = false;
+                    phi_432_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_433_ = true;
                 }
-                let _e507 = phi_716_;
-                phi_717_ = _e507;
-                phi_718_ = false;
-                phi_719_ = true;
+                let _e201 = phi_432_;
+                let _e203 = phi_433_;
+                phi_434_ = _e201;
+                phi_435_ = _e203;
             } else {
-                phi_717_ = _e497;
-                phi_718_ = _e499;
-                phi_719_ = _e503;
+                phi_434_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_435_ = true;
             }
-            let _e509 = phi_717_;
-            let _e511 = phi_718_;
-            let _e513 = phi_719_;
-            if _e513 {
-                phi_723_ = _e509;
-                phi_724_ = _e511;
-                phi_725_ = vec2<u32>(_e55.x, _e55.y);
+            let _e205 = phi_434_;
+            let _e207 = phi_435_;
+            if _e207 {
+                let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
+                phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
             } else {
-                phi_723_ = _e491;
-                phi_724_ = _e493;
-                phi_725_ = _e495;
+                phi_442_ = _e205;
             }
-            let _e515 = phi_723_;
-            let _e517 = phi_724_;
-            let _e519 = phi_725_;
-            let _e529 = lt_mask_Reprojection(vec2<u32>(_e519.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e536 = lt_mask_Reprojection(vec2<u32>(_e529.pixel.x, _e519.y), _e529.is_valid, _e529.has_moved);
-            let _e540 = lt_mask_Reprojection(_e536.pixel, _e517, _e536.has_moved);
-            let _e544 = lt_mask_Reprojection(_e540.pixel, _e540.is_valid, !(_e515));
-            if _e517 {
-                let _e547 = p.member.previous.eye;
-                let _e558 = p.member.previous.forward;
-                let _e567 = (((((_e86.x - _e547.x) * _e558.x) + ((_e86.y - _e547.y) * _e558.y)) + ((_e86.z - _e547.z) * _e558.z)) > 0f);
-                let _e571 = lt_mask_Reprojection(_e544.pixel, _e567, _e544.has_moved);
-                if _e567 {
-                    let _e574 = p.member.previous.eye;
-                    let _e585 = p.member.previous.forward;
-                    let _e593 = ((((_e86.x - _e574.x) * _e585.x) + ((_e86.y - _e574.y) * _e585.y)) + ((_e86.z - _e574.z) * _e585.z));
-                    let _e595 = ((_e519.y * _e83) + _e519.x);
-                    if (_e595 < arrayLength((&last_depths.member))) {
+            let _e224 = phi_442_;
+            phi_446_ = _e224;
+        } else {
+            let _e230 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e236 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e230.unnamed.visibility, false), _e230.unnamed_1);
+            phi_446_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e236.unnamed, true);
+        }
+        let _e241 = phi_446_;
+        if _e241.unnamed_1 {
+            phi_1186_ = mask_Masked(_e241.unnamed.visibility, 0u, false);
+        } else {
+            let _e246 = (_e88 < 0.5f);
+            if (_e88 > 0f) {
+                phi_459_ = (_e88 < 1f);
+            } else {
+                phi_459_ = false;
+            }
+            let _e250 = phi_459_;
+            let _e252 = samples.member[_e75.first_primitive].position;
+            let _e256 = p.member.previous.eye;
+            let _e259 = (_e86.x - _e256.x);
+            let _e262 = (_e86.y - _e256.y);
+            let _e265 = (_e86.z - _e256.z);
+            let _e267 = p.member.previous.forward;
+            let _e275 = (((_e259 * _e267.x) + (_e262 * _e267.y)) + (_e265 * _e267.z));
+            let _e277 = p.member.previous.right;
+            let _e287 = p.member.previous.right;
+            let _e302 = p.member.previous.up;
+            let _e312 = p.member.previous.up;
+            let _e327 = p.member.current.eye;
+            let _e330 = (_e252.x - _e327.x);
+            let _e333 = (_e252.y - _e327.y);
+            let _e336 = (_e252.z - _e327.z);
+            let _e338 = p.member.current.forward;
+            let _e346 = (((_e330 * _e338.x) + (_e333 * _e338.y)) + (_e336 * _e338.z));
+            let _e348 = p.member.current.right;
+            let _e358 = p.member.current.right;
+            let _e373 = p.member.current.up;
+            let _e383 = p.member.current.up;
+            let _e402 = p.member.current.size[0u];
+            let _e404 = (((((((_e259 * _e277.x) + (_e262 * _e277.y)) + (_e265 * _e277.z)) / ((((_e287.x * _e287.x) + (_e287.y * _e287.y)) + (_e287.z * _e287.z)) * _e275)) - ((((_e330 * _e348.x) + (_e333 * _e348.y)) + (_e336 * _e348.z)) / ((((_e358.x * _e358.x) + (_e358.y * _e358.y)) + (_e358.z * _e358.z)) * _e346))) * 0.5f) * f32(_e402));
+            let _e408 = p.member.current.size[1u];
+            let _e410 = (((((((_e259 * _e302.x) + (_e262 * _e302.y)) + (_e265 * _e302.z)) / ((((_e312.x * _e312.x) + (_e312.y * _e312.y)) + (_e312.z * _e312.z)) * _e275)) - ((((_e330 * _e373.x) + (_e333 * _e373.y)) + (_e336 * _e373.z)) / ((((_e383.x * _e383.x) + (_e383.y * _e383.y)) + (_e383.z * _e383.z)) * _e346))) * -0.5f) * f32(_e408));
+            let _e414 = p.member.current.size[0u];
+            let _e416 = p.member.current.size[1u];
+            let _e420 = ((f32(_e55.x) + 0.5f) + _e404);
+            if (_e420 > -8388608f) {
+                let _e432 = f32(select(0i, select(select(i32(_e420), i32(-2147483648), (_e420 < bitcast<f32>(3472883712u))), 2147483647i, (_e420 > bitcast<f32>(1325400063u))), (_e420 == _e420)));
+                if (_e432 > _e420) {
+                    phi_648_ = 1f;
+                } else {
+                    phi_648_ = 0f;
+                }
+                let _e435 = phi_648_;
+                if (_e420 < 8388608f) {
+                    phi_653_ = (_e432 - _e435);
+                    phi_654_ = false;
+                } else {
+                    phi_653_ = f32();
+                    phi_654_ = true;
+                }
+                let _e438 = phi_653_;
+                let _e440 = phi_654_;
+                phi_655_ = _e438;
+                phi_656_ = _e440;
+            } else {
+                phi_655_ = f32();
+                phi_656_ = true;
+            }
+            let _e442 = phi_655_;
+            let _e444 = phi_656_;
+            if _e444 {
+                phi_660_ = _e420;
+            } else {
+                phi_660_ = _e442;
+            }
+            let _e446 = phi_660_;
+            let _e449 = ((f32(_e55.y) + 0.5f) + _e410);
+            if (_e449 > -8388608f) {
+                let _e461 = f32(select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449)));
+                if (_e461 > _e449) {
+                    phi_683_ = 1f;
+                } else {
+                    phi_683_ = 0f;
+                }
+                let _e464 = phi_683_;
+                if (_e449 < 8388608f) {
+                    phi_688_ = (_e461 - _e464);
+                    phi_689_ = false;
+                } else {
+                    phi_688_ = f32();
+                    phi_689_ = true;
+                }
+                let _e467 = phi_688_;
+                let _e469 = phi_689_;
+                phi_690_ = _e467;
+                phi_691_ = _e469;
+            } else {
+                phi_690_ = f32();
+                phi_691_ = true;
+            }
+            let _e471 = phi_690_;
+            let _e473 = phi_691_;
+            if _e473 {
+                phi_695_ = _e449;
+            } else {
+                phi_695_ = _e471;
+            }
+            let _e475 = phi_695_;
+            if (_e446 >= 0f) {
+                if (_e475 >= 0f) {
+                    if (_e446 < f32(_e414)) {
+                        let _e481 = (_e475 < f32(_e416));
+                        if (_e404 == 0f) {
+                            phi_716_ = (_e410 == 0f);
+                        } else {
+                            phi_716_ = false;
+                        }
+                        let _e485 = phi_716_;
+                        if _e481 {
+                            phi_735_ = vec2<u32>(select(select(u32(_e446), 0u, (_e446 < bitcast<f32>(0u))), 4294967295u, (_e446 > bitcast<f32>(1333788671u))), select(select(u32(_e475), 0u, (_e475 < bitcast<f32>(0u))), 4294967295u, (_e475 > bitcast<f32>(1333788671u))));
+                            phi_736_ = false;
+                        } else {
+                            phi_735_ = vec2<u32>();
+                            phi_736_ = true;
+                        }
+                        let _e502 = phi_735_;
+                        let _e504 = phi_736_;
+                        phi_737_ = _e485;
+                        phi_738_ = _e481;
+                        phi_739_ = _e502;
+                        phi_740_ = _e485;
+                        phi_741_ = _e481;
+                        phi_742_ = false;
+                        phi_743_ = _e504;
+                    } else {
+                        phi_737_ = bool();
+                        phi_738_ = bool();
+                        phi_739_ = vec2<u32>();
+                        phi_740_ = bool();
+                        phi_741_ = bool();
+                        phi_742_ = true;
+                        phi_743_ = false;
+                    }
+                    let _e506 = phi_737_;
+                    let _e508 = phi_738_;
+                    let _e510 = phi_739_;
+                    let _e512 = phi_740_;
+                    let _e514 = phi_741_;
+                    let _e516 = phi_742_;
+                    let _e518 = phi_743_;
+                    phi_744_ = _e506;
+                    phi_745_ = _e508;
+                    phi_746_ = _e510;
+                    phi_747_ = _e512;
+                    phi_748_ = _e514;
+                    phi_749_ = _e516;
+                    phi_750_ = _e518;
+                } else {
+                    phi_744_ = bool();
+                    phi_745_ = bool();
+                    phi_746_ = vec2<u32>();
+                    phi_747_ = bool();
+                    phi_748_ = bool();
+                    phi_749_ = true;
+                    phi_750_ = false;
+                }
+                let _e520 = phi_744_;
+                let _e522 = phi_745_;
+                let _e524 = phi_746_;
+                let _e526 = phi_747_;
+                let _e528 = phi_748_;
+                let _e530 = phi_749_;
+                let _e532 = phi_750_;
+                phi_751_ = _e520;
+                phi_752_ = _e522;
+                phi_753_ = _e524;
+                phi_754_ = _e526;
+                phi_755_ = _e528;
+                phi_756_ = _e530;
+                phi_757_ = _e532;
+            } else {
+                phi_751_ = bool();
+                phi_752_ = bool();
+                phi_753_ = vec2<u32>();
+                phi_754_ = bool();
+                phi_755_ = bool();
+                phi_756_ = true;
+                phi_757_ = false;
+            }
+            let _e534 = phi_751_;
+            let _e536 = phi_752_;
+            let _e538 = phi_753_;
+            let _e540 = phi_754_;
+            let _e542 = phi_755_;
+            let _e544 = phi_756_;
+            let _e546 = phi_757_;
+            if _e544 {
+                if (_e404 == 0f) {
+                    phi_766_ = (_e410 == 0f);
+                } else {
+                    phi_766_ = false;
+                }
+                let _e550 = phi_766_;
+                phi_767_ = _e550;
+                phi_768_ = false;
+                phi_769_ = true;
+            } else {
+                phi_767_ = _e540;
+                phi_768_ = _e542;
+                phi_769_ = _e546;
+            }
+            let _e552 = phi_767_;
+            let _e554 = phi_768_;
+            let _e556 = phi_769_;
+            if _e556 {
+                phi_773_ = _e552;
+                phi_774_ = _e554;
+                phi_775_ = vec2<u32>(_e55.x, _e55.y);
+            } else {
+                phi_773_ = _e534;
+                phi_774_ = _e536;
+                phi_775_ = _e538;
+            }
+            let _e558 = phi_773_;
+            let _e560 = phi_774_;
+            let _e562 = phi_775_;
+            let _e572 = lt_mask_Reprojection(vec2<u32>(_e562.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e579 = lt_mask_Reprojection(vec2<u32>(_e572.pixel.x, _e562.y), _e572.is_valid, _e572.has_moved);
+            let _e583 = lt_mask_Reprojection(_e579.pixel, _e560, _e579.has_moved);
+            let _e587 = lt_mask_Reprojection(_e583.pixel, _e583.is_valid, !(_e558));
+            if _e560 {
+                let _e590 = p.member.previous.eye;
+                let _e601 = p.member.previous.forward;
+                let _e610 = (((((_e86.x - _e590.x) * _e601.x) + ((_e86.y - _e590.y) * _e601.y)) + ((_e86.z - _e590.z) * _e601.z)) > 0f);
+                let _e614 = lt_mask_Reprojection(_e587.pixel, _e610, _e587.has_moved);
+                if _e610 {
+                    let _e617 = p.member.previous.eye;
+                    let _e628 = p.member.previous.forward;
+                    let _e636 = ((((_e86.x - _e617.x) * _e628.x) + ((_e86.y - _e617.y) * _e628.y)) + ((_e86.z - _e617.z) * _e628.z));
+                    let _e638 = ((_e562.y * _e83) + _e562.x);
+                    if (_e638 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e599 = last_depths.member[(0u + _e595)];
-                    let _e601 = p.member.depth_tolerance;
-                    let _e604 = abs(_e593);
-                    let _e605 = abs(_e599);
-                    if ((bitcast<u32>(_e605) & 2147483647u) > 2139095040u) {
-                        phi_814_ = true;
+                    let _e642 = last_depths.member[(0u + _e638)];
+                    let _e644 = p.member.depth_tolerance;
+                    let _e647 = abs(_e636);
+                    let _e648 = abs(_e642);
+                    if ((bitcast<u32>(_e648) & 2147483647u) > 2139095040u) {
+                        phi_864_ = true;
                     } else {
-                        let _e609 = (_e605 > _e604);
-                        if _e609 {
+                        let _e652 = (_e648 > _e647);
+                        if _e652 {
                         }
-                        phi_814_ = _e609;
+                        phi_864_ = _e652;
                     }
-                    let _e611 = phi_814_;
-                    if _e611 {
-                        phi_818_ = _e605;
+                    let _e654 = phi_864_;
+                    if _e654 {
+                        phi_868_ = _e648;
                     } else {
-                        phi_818_ = _e604;
+                        phi_868_ = _e647;
                     }
-                    let _e613 = phi_818_;
-                    phi_822_ = lt_mask_Reprojection(_e571.pixel, (abs((_e593 - _e599)) <= (_e601 * _e613)), _e571.has_moved);
+                    let _e656 = phi_868_;
+                    phi_872_ = lt_mask_Reprojection(_e614.pixel, (abs((_e636 - _e642)) <= (_e644 * _e656)), _e614.has_moved);
                 } else {
-                    phi_822_ = _e571;
+                    phi_872_ = _e614;
                 }
-                let _e621 = phi_822_;
-                if _e621.is_valid {
-                    let _e624 = p.member.flags;
-                    phi_831_ = ((_e624 & 1u) != 0u);
-                    phi_832_ = false;
+                let _e664 = phi_872_;
+                if _e664.is_valid {
+                    let _e667 = p.member.flags;
+                    phi_881_ = ((_e667 & 1u) != 0u);
+                    phi_882_ = false;
                 } else {
-                    phi_831_ = bool();
-                    phi_832_ = true;
+                    phi_881_ = bool();
+                    phi_882_ = true;
                 }
-                let _e628 = phi_831_;
-                let _e630 = phi_832_;
-                phi_834_ = _e628;
-                phi_835_ = _e621;
-                phi_836_ = _e621;
-                phi_837_ = _e630;
+                let _e671 = phi_881_;
+                let _e673 = phi_882_;
+                phi_884_ = _e671;
+                phi_885_ = _e664;
+                phi_886_ = _e664;
+                phi_887_ = _e673;
             } else {
-                phi_834_ = bool();
-                phi_835_ = lt_mask_Reprojection();
-                phi_836_ = lt_mask_Reprojection(_e544.pixel, false, _e544.has_moved);
-                phi_837_ = true;
+                phi_884_ = bool();
+                phi_885_ = lt_mask_Reprojection();
+                phi_886_ = lt_mask_Reprojection(_e587.pixel, false, _e587.has_moved);
+                phi_887_ = true;
             }
-            let _e636 = phi_834_;
-            let _e638 = phi_835_;
-            let _e640 = phi_836_;
-            let _e642 = phi_837_;
-            if _e642 {
-                phi_841_ = false;
-                phi_842_ = _e640;
+            let _e679 = phi_884_;
+            let _e681 = phi_885_;
+            let _e683 = phi_886_;
+            let _e685 = phi_887_;
+            if _e685 {
+                phi_891_ = false;
+                phi_892_ = _e683;
             } else {
-                phi_841_ = _e636;
-                phi_842_ = _e638;
+                phi_891_ = _e679;
+                phi_892_ = _e681;
             }
-            let _e644 = phi_841_;
-            let _e646 = phi_842_;
-            let _e650 = lt_mask_Reprojection(_e646.pixel, _e644, _e646.has_moved);
-            if _e650.has_moved {
+            let _e687 = phi_891_;
+            let _e689 = phi_892_;
+            let _e693 = lt_mask_Reprojection(_e689.pixel, _e687, _e689.has_moved);
+            if _e693.has_moved {
             }
-            let _e656 = lt_mask_Neighbourhood(false, true);
-            if _e207 {
-                phi_1052_ = _e656;
+            let _e699 = lt_mask_Neighbourhood(false, true);
+            if _e250 {
+                phi_1102_ = _e699;
             } else {
                 if true {
-                    if _e644 {
-                        if _e650.has_moved {
-                            let _e659 = p.member.moving_pattern;
-                            phi_870_ = _e659;
+                    if _e687 {
+                        if _e693.has_moved {
+                            let _e702 = p.member.moving_pattern;
+                            phi_920_ = _e702;
                         } else {
-                            let _e661 = p.member.still_pattern;
-                            phi_870_ = _e661;
+                            let _e704 = p.member.still_pattern;
+                            phi_920_ = _e704;
                         }
-                        let _e663 = phi_870_;
-                        phi_872_ = 0u;
-                        phi_875_ = _e656;
+                        let _e706 = phi_920_;
+                        phi_922_ = 0u;
+                        phi_925_ = _e699;
                         loop {
-                            let _e665 = phi_872_;
-                            let _e667 = phi_875_;
-                            local_1 = _e667;
-                            if (1u <= _e663) {
-                                if (_e663 <= 4u) {
-                                    phi_887_ = false;
+                            let _e708 = phi_922_;
+                            let _e710 = phi_925_;
+                            local_1 = _e710;
+                            if (1u <= _e706) {
+                                if (_e706 <= 4u) {
+                                    phi_937_ = false;
                                 } else {
-                                    phi_887_ = true;
+                                    phi_937_ = true;
                                 }
-                                let _e671 = phi_887_;
-                                phi_888_ = _e671;
+                                let _e714 = phi_937_;
+                                phi_938_ = _e714;
                             } else {
-                                phi_888_ = true;
+                                phi_938_ = true;
                             }
-                            let _e673 = phi_888_;
-                            if _e673 {
-                                switch bitcast<i32>(_e663) {
+                            let _e716 = phi_938_;
+                            if _e716 {
+                                switch bitcast<i32>(_e706) {
                                     case 5: {
-                                        phi_897_ = 4u;
+                                        phi_947_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_897_ = 25u;
+                                        phi_947_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_897_ = 13u;
+                                        phi_947_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_897_ = 9u;
+                                        phi_947_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e676 = phi_897_;
-                                phi_898_ = _e676;
+                                let _e719 = phi_947_;
+                                phi_948_ = _e719;
                             } else {
-                                phi_898_ = 5u;
+                                phi_948_ = 5u;
                             }
-                            let _e678 = phi_898_;
-                            let _e679 = (_e665 < _e678);
-                            if _e679 {
-                                let _e685 = p.member.frame;
-                                let _e689 = p.member.current.size[0u];
-                                let _e691 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e663) {
+                            let _e721 = phi_948_;
+                            let _e722 = (_e708 < _e721);
+                            if _e722 {
+                                let _e728 = p.member.frame;
+                                let _e732 = p.member.current.size[0u];
+                                let _e734 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e706) {
                                     case 1: {
-                                        let _e701 = lt_mask_pattern_plus(_e665);
-                                        phi_978_ = vec2<i32>(_e701.x, _e701.y);
+                                        let _e744 = lt_mask_pattern_plus(_e708);
+                                        phi_1028_ = vec2<i32>(_e744.x, _e744.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e705 = lt_mask_pattern_cross(_e665);
-                                        phi_978_ = vec2<i32>(_e705.x, _e705.y);
+                                        let _e748 = lt_mask_pattern_cross(_e708);
+                                        phi_1028_ = vec2<i32>(_e748.x, _e748.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e711 = lt_mask_pattern_plus_or_cross(_e665, ((_e650.pixel.x + _e650.pixel.y) & 1u));
-                                        phi_978_ = vec2<i32>(_e711.x, _e711.y);
+                                        let _e754 = lt_mask_pattern_plus_or_cross(_e708, ((_e693.pixel.x + _e693.pixel.y) & 1u));
+                                        phi_1028_ = vec2<i32>(_e754.x, _e754.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e716 = lt_mask_pattern_plus_or_cross(_e665, (_e685 & 1u));
-                                        phi_978_ = vec2<i32>(_e716.x, _e716.y);
+                                        let _e759 = lt_mask_pattern_plus_or_cross(_e708, (_e728 & 1u));
+                                        phi_1028_ = vec2<i32>(_e759.x, _e759.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e685 & 3u)) {
+                                        switch bitcast<i32>((_e728 & 3u)) {
                                             case 0: {
-                                                phi_958_ = vec2(-1i);
+                                                phi_1008_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_958_ = vec2(0i);
+                                                phi_1008_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_958_ = vec2<i32>(0i, -1i);
+                                                phi_1008_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_958_ = vec2<i32>(-1i, 0i);
+                                                phi_1008_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e727 = phi_958_;
-                                        phi_978_ = (_e727 + vec2<i32>(bitcast<i32>((_e665 & 1u)), bitcast<i32>(((_e665 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e770 = phi_1008_;
+                                        phi_1028_ = (_e770 + vec2<i32>(bitcast<i32>((_e708 & 1u)), bitcast<i32>(((_e708 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_978_ = vec2<i32>((bitcast<i32>((_e665 % 5u)) - 2i), (bitcast<i32>(((_e665 / 5u) % 5u)) - 2i));
+                                        phi_1028_ = vec2<i32>((bitcast<i32>((_e708 % 5u)) - 2i), (bitcast<i32>(((_e708 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e744 = lt_mask_pattern_diamond(_e665);
-                                        phi_978_ = vec2<i32>(_e744.x, _e744.y);
+                                        let _e787 = lt_mask_pattern_diamond(_e708);
+                                        phi_1028_ = vec2<i32>(_e787.x, _e787.y);
                                         break;
                                     }
                                     default: {
-                                        phi_978_ = vec2<i32>((bitcast<i32>((_e665 % 3u)) - 1i), (bitcast<i32>(((_e665 / 3u) % 3u)) - 1i));
+                                        phi_1028_ = vec2<i32>((bitcast<i32>((_e708 % 3u)) - 1i), (bitcast<i32>(((_e708 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e749 = phi_978_;
-                                let _e752 = lt_mask_pattern_step_clamped(_e650.pixel.x, _e749.x, _e689);
-                                let _e753 = lt_mask_pattern_step_clamped(_e650.pixel.y, _e749.y, _e691);
-                                let _e755 = ((_e753 * _e83) + _e752);
-                                if (_e755 < arrayLength((&last_bits.member))) {
+                                let _e792 = phi_1028_;
+                                let _e795 = lt_mask_pattern_step_clamped(_e693.pixel.x, _e792.x, _e732);
+                                let _e796 = lt_mask_pattern_step_clamped(_e693.pixel.y, _e792.y, _e734);
+                                let _e798 = ((_e796 * _e83) + _e795);
+                                if (_e798 < arrayLength((&last_bits.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e759 = last_bits.member[(0u + _e755)];
-                                if ((_e759 & 2u) == 0u) {
-                                    phi_1001_ = (_e759 & 1u);
+                                let _e802 = last_bits.member[(0u + _e798)];
+                                if ((_e802 & 2u) == 0u) {
+                                    phi_1051_ = (_e802 & 1u);
                                 } else {
-                                    phi_1001_ = (_e759 & 7u);
+                                    phi_1051_ = (_e802 & 7u);
                                 }
-                                let _e765 = phi_1001_;
-                                if _e667.any_expands {
-                                    phi_1027_ = true;
+                                let _e808 = phi_1051_;
+                                if _e710.any_expands {
+                                    phi_1077_ = true;
                                 } else {
-                                    if ((_e765 & 2u) != 0u) {
-                                        if (((_e765 & 4u) != 0u) != _e203) {
-                                            phi_1018_ = false;
+                                    if ((_e808 & 2u) != 0u) {
+                                        if (((_e808 & 4u) != 0u) != _e246) {
+                                            phi_1068_ = false;
                                         } else {
-                                            phi_1018_ = true;
+                                            phi_1068_ = true;
                                         }
-                                        let _e774 = phi_1018_;
-                                        phi_1019_ = _e774;
+                                        let _e817 = phi_1068_;
+                                        phi_1069_ = _e817;
                                     } else {
-                                        phi_1019_ = true;
+                                        phi_1069_ = true;
                                     }
-                                    let _e776 = phi_1019_;
-                                    if _e776 {
-                                        phi_1026_ = (((_e765 & 1u) != 0u) != _e203);
+                                    let _e819 = phi_1069_;
+                                    if _e819 {
+                                        phi_1076_ = (((_e808 & 1u) != 0u) != _e246);
                                     } else {
-                                        phi_1026_ = true;
+                                        phi_1076_ = true;
                                     }
-                                    let _e781 = phi_1026_;
-                                    phi_1027_ = _e781;
+                                    let _e824 = phi_1076_;
+                                    phi_1077_ = _e824;
                                 }
-                                let _e783 = phi_1027_;
-                                if _e667.all_remove {
-                                    if (((_e765 & 1u) != 0u) == _e203) {
-                                        if ((_e765 & 2u) != 0u) {
-                                            phi_1045_ = (((_e765 & 4u) != 0u) == _e203);
+                                let _e826 = phi_1077_;
+                                if _e710.all_remove {
+                                    if (((_e808 & 1u) != 0u) == _e246) {
+                                        if ((_e808 & 2u) != 0u) {
+                                            phi_1095_ = (((_e808 & 4u) != 0u) == _e246);
                                         } else {
-                                            phi_1045_ = true;
+                                            phi_1095_ = true;
                                         }
-                                        let _e793 = phi_1045_;
-                                        phi_1046_ = _e793;
+                                        let _e836 = phi_1095_;
+                                        phi_1096_ = _e836;
                                     } else {
-                                        phi_1046_ = false;
+                                        phi_1096_ = false;
                                     }
-                                    let _e795 = phi_1046_;
-                                    phi_1047_ = _e795;
+                                    let _e838 = phi_1096_;
+                                    phi_1097_ = _e838;
                                 } else {
-                                    phi_1047_ = false;
+                                    phi_1097_ = false;
                                 }
-                                let _e797 = phi_1047_;
-                                phi_873_ = (_e665 + 1u);
-                                phi_876_ = lt_mask_Neighbourhood(_e783, _e797);
+                                let _e840 = phi_1097_;
+                                phi_923_ = (_e708 + 1u);
+                                phi_926_ = lt_mask_Neighbourhood(_e826, _e840);
                             } else {
-                                phi_873_ = u32();
-                                phi_876_ = lt_mask_Neighbourhood();
+                                phi_923_ = u32();
+                                phi_926_ = lt_mask_Neighbourhood();
                             }
-                            let _e801 = phi_873_;
-                            let _e803 = phi_876_;
+                            let _e844 = phi_923_;
+                            let _e846 = phi_926_;
                             continue;
                             continuing {
-                                phi_872_ = _e801;
-                                phi_875_ = _e803;
-                                break if !(_e679);
+                                phi_922_ = _e844;
+                                phi_925_ = _e846;
+                                break if !(_e722);
                             }
                         }
-                        let _e1018 = local_1;
-                        phi_1050_ = _e1018;
+                        let _e1067 = local_1;
+                        phi_1100_ = _e1067;
                     } else {
-                        phi_1050_ = _e656;
+                        phi_1100_ = _e699;
                     }
-                    let _e806 = phi_1050_;
-                    phi_1051_ = _e806;
+                    let _e849 = phi_1100_;
+                    phi_1101_ = _e849;
                 } else {
-                    phi_1051_ = _e656;
+                    phi_1101_ = _e699;
                 }
-                let _e808 = phi_1051_;
-                phi_1052_ = _e808;
+                let _e851 = phi_1101_;
+                phi_1102_ = _e851;
             }
-            let _e810 = phi_1052_;
+            let _e853 = phi_1102_;
             if (_e88 != 0.5f) {
-                if _e644 {
-                    if _e207 {
-                        phi_1078_ = true;
+                if _e687 {
+                    if _e250 {
+                        phi_1128_ = true;
                     } else {
-                        if _e810.any_expands {
-                            phi_1077_ = false;
+                        if _e853.any_expands {
+                            phi_1127_ = false;
                         } else {
-                            phi_1077_ = true;
+                            phi_1127_ = true;
                         }
-                        let _e815 = phi_1077_;
-                        phi_1078_ = _e815;
+                        let _e858 = phi_1127_;
+                        phi_1128_ = _e858;
                     }
-                    let _e817 = phi_1078_;
-                    if _e817 {
-                        if _e207 {
+                    let _e860 = phi_1128_;
+                    if _e860 {
+                        if _e250 {
                             if false {
-                                if _e810.all_remove {
-                                    phi_1091_ = false;
+                                if _e853.all_remove {
+                                    phi_1141_ = false;
                                 } else {
-                                    phi_1091_ = true;
+                                    phi_1141_ = true;
                                 }
-                                let _e819 = phi_1091_;
-                                phi_1092_ = _e819;
+                                let _e862 = phi_1141_;
+                                phi_1142_ = _e862;
                             } else {
-                                phi_1092_ = true;
+                                phi_1142_ = true;
                             }
-                            let _e821 = phi_1092_;
-                            phi_1093_ = _e821;
+                            let _e864 = phi_1142_;
+                            phi_1143_ = _e864;
                         } else {
-                            phi_1093_ = true;
+                            phi_1143_ = true;
                         }
-                        let _e823 = phi_1093_;
-                        if _e823 {
-                            if _e207 {
-                                phi_1100_ = 1u;
+                        let _e866 = phi_1143_;
+                        if _e866 {
+                            if _e250 {
+                                phi_1150_ = 1u;
                             } else {
-                                phi_1100_ = 0u;
+                                phi_1150_ = 0u;
                             }
-                            let _e825 = phi_1100_;
-                            phi_1101_ = _e825;
+                            let _e868 = phi_1150_;
+                            phi_1151_ = _e868;
                         } else {
-                            phi_1101_ = 5u;
+                            phi_1151_ = 5u;
                         }
-                        let _e827 = phi_1101_;
-                        phi_1102_ = _e827;
+                        let _e870 = phi_1151_;
+                        phi_1152_ = _e870;
                     } else {
-                        phi_1102_ = 4u;
+                        phi_1152_ = 4u;
                     }
-                    let _e829 = phi_1102_;
-                    phi_1103_ = _e829;
+                    let _e872 = phi_1152_;
+                    phi_1153_ = _e872;
                 } else {
-                    phi_1103_ = 3u;
+                    phi_1153_ = 3u;
                 }
-                let _e831 = phi_1103_;
-                phi_1104_ = _e831;
+                let _e874 = phi_1153_;
+                phi_1154_ = _e874;
             } else {
-                phi_1104_ = 2u;
+                phi_1154_ = 2u;
             }
-            let _e833 = phi_1104_;
-            if !((_e833 == 0u)) {
-                phi_1112_ = !((_e833 == 5u));
+            let _e876 = phi_1154_;
+            if !((_e876 == 0u)) {
+                phi_1162_ = !((_e876 == 5u));
             } else {
-                phi_1112_ = false;
+                phi_1162_ = false;
             }
-            let _e839 = phi_1112_;
-            if _e839 {
-                if _e203 {
-                    phi_1120_ = (2u | 1u);
+            let _e882 = phi_1162_;
+            if _e882 {
+                if _e246 {
+                    phi_1170_ = (2u | 1u);
                 } else {
-                    phi_1120_ = 2u;
+                    phi_1170_ = 2u;
                 }
-                let _e842 = phi_1120_;
+                let _e885 = phi_1170_;
                 if false {
-                    phi_1125_ = (_e842 | 4u);
+                    phi_1175_ = (_e885 | 4u);
                 } else {
-                    phi_1125_ = _e842;
+                    phi_1175_ = _e885;
                 }
-                let _e845 = phi_1125_;
-                phi_1130_ = _e845;
+                let _e888 = phi_1175_;
+                phi_1180_ = _e888;
             } else {
-                if _e203 {
-                    phi_1129_ = 1u;
+                if _e246 {
+                    phi_1179_ = 1u;
                 } else {
-                    phi_1129_ = 0u;
+                    phi_1179_ = 0u;
                 }
-                let _e847 = phi_1129_;
-                phi_1130_ = _e847;
+                let _e890 = phi_1179_;
+                phi_1180_ = _e890;
             }
-            let _e849 = phi_1130_;
-            if _e203 {
-                phi_1134_ = 0f;
+            let _e892 = phi_1180_;
+            if _e246 {
+                phi_1184_ = 0f;
             } else {
-                phi_1134_ = 1f;
+                phi_1184_ = 1f;
             }
-            let _e851 = phi_1134_;
-            phi_1136_ = mask_Masked(_e851, _e849, _e839);
+            let _e894 = phi_1184_;
+            phi_1186_ = mask_Masked(_e894, _e892, _e882);
         }
-        let _e854 = phi_1136_;
-        visibility.member[_e75.first_primitive] = _e854.visibility;
-        bits.member[_e75.first_primitive] = _e854.bits;
-        let _e862 = samples.member[_e75.first_primitive].normal[0u];
-        let _e864 = global[0u];
-        if (_e862 == _e864) {
-            let _e867 = samples.member[_e75.first_primitive].normal[1u];
-            let _e869 = global[1u];
-            if (_e867 == _e869) {
-                let _e872 = samples.member[_e75.first_primitive].normal[2u];
-                let _e874 = global[2u];
-                phi_1164_ = (_e872 == _e874);
-                phi_1165_ = false;
+        let _e897 = phi_1186_;
+        visibility.member[_e75.first_primitive] = _e897.visibility;
+        bits.member[_e75.first_primitive] = _e897.bits;
+        let _e905 = samples.member[_e75.first_primitive].normal[0u];
+        let _e907 = global[0u];
+        if (_e905 == _e907) {
+            let _e910 = samples.member[_e75.first_primitive].normal[1u];
+            let _e912 = global[1u];
+            if (_e910 == _e912) {
+                let _e915 = samples.member[_e75.first_primitive].normal[2u];
+                let _e917 = global[2u];
+                phi_1214_ = (_e915 == _e917);
+                phi_1215_ = false;
             } else {
-                phi_1164_ = bool();
-                phi_1165_ = true;
+                phi_1214_ = bool();
+                phi_1215_ = true;
             }
-            let _e877 = phi_1164_;
-            let _e879 = phi_1165_;
-            phi_1166_ = _e877;
-            phi_1167_ = _e879;
+            let _e920 = phi_1214_;
+            let _e922 = phi_1215_;
+            phi_1216_ = _e920;
+            phi_1217_ = _e922;
         } else {
-            phi_1166_ = bool();
-            phi_1167_ = true;
+            phi_1216_ = bool();
+            phi_1217_ = true;
         }
-        let _e881 = phi_1166_;
-        let _e883 = phi_1167_;
-        if _e883 {
-            phi_1171_ = false;
+        let _e924 = phi_1216_;
+        let _e926 = phi_1217_;
+        if _e926 {
+            phi_1221_ = false;
         } else {
-            phi_1171_ = _e881;
+            phi_1221_ = _e924;
         }
-        let _e885 = phi_1171_;
-        if !(_e885) {
-            let _e888 = samples.member[_e75.first_primitive].position;
-            let _e890 = p.member.current.eye;
-            let _e901 = p.member.current.forward;
-            phi_1199_ = ((((_e888.x - _e890.x) * _e901.x) + ((_e888.y - _e890.y) * _e901.y)) + ((_e888.z - _e890.z) * _e901.z));
+        let _e928 = phi_1221_;
+        if !(_e928) {
+            let _e931 = samples.member[_e75.first_primitive].position;
+            let _e933 = p.member.current.eye;
+            let _e944 = p.member.current.forward;
+            phi_1249_ = ((((_e931.x - _e933.x) * _e944.x) + ((_e931.y - _e933.y) * _e944.y)) + ((_e931.z - _e933.z) * _e944.z));
         } else {
-            phi_1199_ = 0f;
+            phi_1249_ = 0f;
         }
-        let _e911 = phi_1199_;
-        depths.member[_e75.first_primitive] = _e911;
-        phi_1202_ = _e854.needs_ray;
-        phi_1203_ = _e75.first_primitive;
+        let _e954 = phi_1249_;
+        depths.member[_e75.first_primitive] = _e954;
+        phi_1252_ = _e897.needs_ray;
+        phi_1253_ = _e75.first_primitive;
     } else {
-        phi_1202_ = false;
-        phi_1203_ = 0u;
+        phi_1252_ = false;
+        phi_1253_ = 0u;
     }
-    let _e915 = phi_1202_;
-    let _e917 = phi_1203_;
+    let _e958 = phi_1252_;
+    let _e960 = phi_1253_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e915 {
-        let _e921 = atomicAdd((&shared_[0u]), 1u);
-        phi_1214_ = _e921;
+    if _e958 {
+        let _e964 = atomicAdd((&shared_[0u]), 1u);
+        phi_1264_ = _e964;
     } else {
-        phi_1214_ = 0u;
+        phi_1264_ = 0u;
     }
-    let _e923 = phi_1214_;
+    let _e966 = phi_1264_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e927 = atomicLoad((&shared_[0u]));
-        let _e928 = atomicAdd((&list.member[3u]), _e927);
-        atomicStore((&shared_[1u]), _e928);
+        let _e970 = atomicLoad((&shared_[0u]));
+        let _e971 = atomicAdd((&list.member[3u]), _e970);
+        atomicStore((&shared_[1u]), _e971);
     }
     workgroupBarrier();
-    if _e915 {
-        let _e931 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e931) + _e923)]), _e917);
+    if _e958 {
+        let _e974 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e974) + _e966)]), _e960);
     }
     return;
 }

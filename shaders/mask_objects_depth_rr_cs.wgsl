@@ -11,10 +11,19 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
-    light: vec4<f32>,
+    light: abi_LightParams,
     frame: u32,
     still_pattern: u32,
     moving_pattern: u32,
@@ -82,11 +91,11 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<vec4<f32>>,
 }
 
-struct type_48 {
+struct type_49 {
     member: array<atomic<u32>>,
 }
 
@@ -103,7 +112,7 @@ var<storage, read_write> bits: type_17;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_21;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_48;
+var<storage, read_write> list: type_49;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
@@ -111,283 +120,289 @@ var<storage> last_depths: type_21;
 @group(0) @binding(7) 
 var<storage, read_write> depths: type_21;
 @group(0) @binding(8) 
-var<storage> past: type_43;
+var<storage> past: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_171_: lt_bvh_traverse_Tree;
-    var phi_172_: bool;
-    var phi_173_: lt_bvh_traverse_Tree;
-    var phi_174_: bool;
-    var phi_179_: lt_bvh_traverse_Tree;
+    var phi_174_: lt_bvh_traverse_Tree;
+    var phi_175_: bool;
+    var phi_176_: lt_bvh_traverse_Tree;
+    var phi_177_: bool;
+    var phi_182_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_171_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_172_ = false;
+            phi_174_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_175_ = false;
         } else {
-            phi_171_ = lt_bvh_traverse_Tree();
-            phi_172_ = true;
+            phi_174_ = lt_bvh_traverse_Tree();
+            phi_175_ = true;
         }
-        let _e69 = phi_171_;
-        let _e71 = phi_172_;
-        phi_173_ = _e69;
-        phi_174_ = _e71;
+        let _e69 = phi_174_;
+        let _e71 = phi_175_;
+        phi_176_ = _e69;
+        phi_177_ = _e71;
     } else {
-        phi_173_ = lt_bvh_traverse_Tree();
-        phi_174_ = true;
+        phi_176_ = lt_bvh_traverse_Tree();
+        phi_177_ = true;
     }
-    let _e73 = phi_173_;
-    let _e75 = phi_174_;
+    let _e73 = phi_176_;
+    let _e75 = phi_177_;
     if _e75 {
-        phi_179_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_182_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_179_ = _e73;
+        phi_182_ = _e73;
     }
-    let _e80 = phi_179_;
+    let _e80 = phi_182_;
     return lt_bvh_traverse_Tree(_e80.root, _e80.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_197_: vec2<i32>;
+    var phi_200_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_197_ = vec2(0i);
+            phi_200_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_197_ = vec2<i32>(0i, -1i);
+            phi_200_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_197_ = vec2<i32>(-1i, 0i);
+            phi_200_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_197_ = vec2<i32>(1i, 0i);
+            phi_200_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_197_ = vec2<i32>(0i, 1i);
+            phi_200_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e65 = phi_197_;
+    let _e65 = phi_200_;
     return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_215_: vec2<i32>;
+    var phi_218_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_215_ = vec2(0i);
+            phi_218_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_215_ = vec2(-1i);
+            phi_218_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_215_ = vec2<i32>(1i, -1i);
+            phi_218_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_215_ = vec2<i32>(-1i, 1i);
+            phi_218_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_215_ = vec2(1i);
+            phi_218_ = vec2(1i);
             break;
         }
     }
-    let _e65 = phi_215_;
+    let _e65 = phi_218_;
     return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_234_: vec2<i32>;
+    var phi_237_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e59 = lt_mask_pattern_plus(param_5);
-        phi_234_ = vec2<i32>(_e59.x, _e59.y);
+        phi_237_ = vec2<i32>(_e59.x, _e59.y);
     } else {
         let _e63 = lt_mask_pattern_cross(param_5);
-        phi_234_ = vec2<i32>(_e63.x, _e63.y);
+        phi_237_ = vec2<i32>(_e63.x, _e63.y);
     }
-    let _e68 = phi_234_;
+    let _e68 = phi_237_;
     return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_259_: vec2<i32>;
+    var phi_262_: vec2<i32>;
 
     let _e57 = (param_7 % 13u);
     switch bitcast<i32>(_e57) {
         case 9: {
-            phi_259_ = vec2<i32>(0i, -2i);
+            phi_262_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_259_ = vec2<i32>(-2i, 0i);
+            phi_262_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_259_ = vec2<i32>(2i, 0i);
+            phi_262_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_259_ = vec2<i32>(0i, 2i);
+            phi_262_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_259_ = vec2<i32>((bitcast<i32>((_e57 % 3u)) - 1i), (bitcast<i32>(((_e57 / 3u) % 3u)) - 1i));
+            phi_262_ = vec2<i32>((bitcast<i32>((_e57 % 3u)) - 1i), (bitcast<i32>(((_e57 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e72 = phi_259_;
+    let _e72 = phi_262_;
     return vec2<i32>(_e72.x, _e72.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_280_: u32;
-    var phi_281_: u32;
+    var phi_283_: u32;
+    var phi_284_: u32;
 
     let _e60 = (bitcast<i32>(param_8) + param_9);
     if (_e60 < 0i) {
-        phi_281_ = 0u;
+        phi_284_ = 0u;
     } else {
         if (_e60 >= bitcast<i32>(param_10)) {
-            phi_280_ = (param_10 - 1u);
+            phi_283_ = (param_10 - 1u);
         } else {
-            phi_280_ = bitcast<u32>(_e60);
+            phi_283_ = bitcast<u32>(_e60);
         }
-        let _e67 = phi_280_;
-        phi_281_ = _e67;
+        let _e67 = phi_283_;
+        phi_284_ = _e67;
     }
-    let _e69 = phi_281_;
+    let _e69 = phi_284_;
     return _e69;
 }
 
 fn function_() {
-    var phi_351_: bool;
-    var phi_352_: bool;
     var phi_353_: bool;
     var phi_354_: bool;
-    var phi_358_: bool;
-    var phi_402_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_406_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_419_: bool;
-    var phi_605_: f32;
-    var phi_610_: f32;
-    var phi_611_: bool;
-    var phi_612_: f32;
-    var phi_613_: bool;
-    var phi_617_: f32;
-    var phi_640_: f32;
-    var phi_645_: f32;
-    var phi_646_: bool;
-    var phi_647_: f32;
-    var phi_648_: bool;
-    var phi_652_: f32;
-    var phi_673_: bool;
-    var phi_692_: vec2<u32>;
-    var phi_693_: bool;
-    var phi_694_: bool;
-    var phi_695_: bool;
-    var phi_696_: vec2<u32>;
-    var phi_697_: bool;
+    var phi_355_: bool;
+    var phi_356_: bool;
+    var phi_360_: bool;
+    var phi_430_: bool;
+    var phi_431_: bool;
+    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_443_: bool;
+    var phi_444_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_445_: bool;
+    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_456_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_469_: bool;
+    var phi_655_: f32;
+    var phi_660_: f32;
+    var phi_661_: bool;
+    var phi_662_: f32;
+    var phi_663_: bool;
+    var phi_667_: f32;
+    var phi_690_: f32;
+    var phi_695_: f32;
+    var phi_696_: bool;
+    var phi_697_: f32;
     var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_701_: bool;
-    var phi_702_: bool;
-    var phi_703_: vec2<u32>;
-    var phi_704_: bool;
-    var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_707_: bool;
-    var phi_708_: bool;
-    var phi_709_: bool;
-    var phi_710_: vec2<u32>;
-    var phi_711_: bool;
-    var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_714_: bool;
+    var phi_702_: f32;
     var phi_723_: bool;
-    var phi_724_: bool;
-    var phi_725_: bool;
-    var phi_726_: bool;
-    var phi_730_: bool;
-    var phi_731_: bool;
-    var phi_732_: vec2<u32>;
-    var phi_815_: bool;
-    var phi_819_: f32;
-    var phi_823_: lt_mask_Reprojection;
-    var phi_832_: bool;
-    var phi_833_: bool;
-    var phi_835_: bool;
-    var phi_836_: lt_mask_Reprojection;
-    var phi_837_: lt_mask_Reprojection;
-    var phi_838_: bool;
-    var phi_842_: bool;
-    var phi_843_: lt_mask_Reprojection;
-    var phi_857_: bool;
-    var phi_868_: bool;
-    var phi_869_: bool;
-    var phi_870_: bool;
-    var phi_871_: bool;
-    var phi_872_: bool;
-    var phi_873_: bool;
-    var phi_877_: bool;
+    var phi_742_: vec2<u32>;
+    var phi_743_: bool;
+    var phi_744_: bool;
+    var phi_745_: bool;
+    var phi_746_: vec2<u32>;
+    var phi_747_: bool;
+    var phi_748_: bool;
+    var phi_749_: bool;
+    var phi_750_: bool;
+    var phi_751_: bool;
+    var phi_752_: bool;
+    var phi_753_: vec2<u32>;
+    var phi_754_: bool;
+    var phi_755_: bool;
+    var phi_756_: bool;
+    var phi_757_: bool;
+    var phi_758_: bool;
+    var phi_759_: bool;
+    var phi_760_: vec2<u32>;
+    var phi_761_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_764_: bool;
+    var phi_773_: bool;
+    var phi_774_: bool;
+    var phi_775_: bool;
+    var phi_776_: bool;
+    var phi_780_: bool;
+    var phi_781_: bool;
+    var phi_782_: vec2<u32>;
+    var phi_865_: bool;
+    var phi_869_: f32;
+    var phi_873_: lt_mask_Reprojection;
     var phi_882_: bool;
-    var phi_897_: u32;
-    var phi_899_: u32;
-    var phi_902_: lt_mask_Neighbourhood;
-    var phi_914_: bool;
-    var phi_915_: bool;
-    var phi_924_: u32;
-    var phi_925_: u32;
-    var phi_985_: vec2<i32>;
-    var phi_1005_: vec2<i32>;
-    var phi_1028_: u32;
-    var phi_1045_: bool;
-    var phi_1046_: bool;
-    var phi_1053_: bool;
-    var phi_1054_: bool;
-    var phi_1072_: bool;
-    var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_900_: u32;
-    var phi_903_: lt_mask_Neighbourhood;
-    var phi_1077_: lt_mask_Neighbourhood;
-    var phi_1078_: lt_mask_Neighbourhood;
+    var phi_883_: bool;
+    var phi_885_: bool;
+    var phi_886_: lt_mask_Reprojection;
+    var phi_887_: lt_mask_Reprojection;
+    var phi_888_: bool;
+    var phi_892_: bool;
+    var phi_893_: lt_mask_Reprojection;
+    var phi_907_: bool;
+    var phi_918_: bool;
+    var phi_919_: bool;
+    var phi_920_: bool;
+    var phi_921_: bool;
+    var phi_922_: bool;
+    var phi_923_: bool;
+    var phi_927_: bool;
+    var phi_932_: bool;
+    var phi_947_: u32;
+    var phi_949_: u32;
+    var phi_952_: lt_mask_Neighbourhood;
+    var phi_964_: bool;
+    var phi_965_: bool;
+    var phi_974_: u32;
+    var phi_975_: u32;
+    var phi_1035_: vec2<i32>;
+    var phi_1055_: vec2<i32>;
+    var phi_1078_: u32;
+    var phi_1095_: bool;
+    var phi_1096_: bool;
     var phi_1103_: bool;
     var phi_1104_: bool;
-    var phi_1117_: bool;
-    var phi_1118_: bool;
-    var phi_1119_: bool;
-    var phi_1126_: u32;
-    var phi_1127_: u32;
-    var phi_1128_: u32;
-    var phi_1129_: u32;
-    var phi_1130_: u32;
-    var phi_1138_: bool;
-    var phi_1146_: u32;
-    var phi_1151_: u32;
-    var phi_1155_: u32;
-    var phi_1156_: u32;
-    var phi_1160_: f32;
-    var phi_1162_: mask_Masked;
-    var phi_1190_: bool;
-    var phi_1191_: bool;
-    var phi_1192_: bool;
-    var phi_1193_: bool;
-    var phi_1197_: bool;
-    var phi_1225_: f32;
-    var phi_1228_: bool;
-    var phi_1229_: u32;
-    var phi_1240_: u32;
+    var phi_1122_: bool;
+    var phi_1123_: bool;
+    var phi_1124_: bool;
+    var phi_950_: u32;
+    var phi_953_: lt_mask_Neighbourhood;
+    var phi_1127_: lt_mask_Neighbourhood;
+    var phi_1128_: lt_mask_Neighbourhood;
+    var phi_1153_: bool;
+    var phi_1154_: bool;
+    var phi_1167_: bool;
+    var phi_1168_: bool;
+    var phi_1169_: bool;
+    var phi_1176_: u32;
+    var phi_1177_: u32;
+    var phi_1178_: u32;
+    var phi_1179_: u32;
+    var phi_1180_: u32;
+    var phi_1188_: bool;
+    var phi_1196_: u32;
+    var phi_1201_: u32;
+    var phi_1205_: u32;
+    var phi_1206_: u32;
+    var phi_1210_: f32;
+    var phi_1212_: mask_Masked;
+    var phi_1240_: bool;
+    var phi_1241_: bool;
+    var phi_1242_: bool;
+    var phi_1243_: bool;
+    var phi_1247_: bool;
+    var phi_1275_: f32;
+    var phi_1278_: bool;
+    var phi_1279_: u32;
+    var phi_1290_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e56 = id_1;
@@ -399,770 +414,809 @@ fn function_() {
         let _e85 = p.member.current.size[0u];
         let _e88 = past.member[_e77.first_primitive];
         let _e93 = visibility.member[_e77.first_primitive];
-        let _e97 = p.member.light;
-        let _e100 = samples.member[_e77.first_primitive].normal[0u];
-        let _e102 = global[0u];
-        if (_e100 == _e102) {
-            let _e105 = samples.member[_e77.first_primitive].normal[1u];
-            let _e107 = global[1u];
-            if (_e105 == _e107) {
-                let _e110 = samples.member[_e77.first_primitive].normal[2u];
-                let _e112 = global[2u];
-                phi_351_ = (_e110 == _e112);
-                phi_352_ = false;
+        let _e99 = samples.member[_e77.first_primitive].normal[0u];
+        let _e101 = global[0u];
+        if (_e99 == _e101) {
+            let _e104 = samples.member[_e77.first_primitive].normal[1u];
+            let _e106 = global[1u];
+            if (_e104 == _e106) {
+                let _e109 = samples.member[_e77.first_primitive].normal[2u];
+                let _e111 = global[2u];
+                phi_353_ = (_e109 == _e111);
+                phi_354_ = false;
             } else {
-                phi_351_ = bool();
-                phi_352_ = true;
+                phi_353_ = bool();
+                phi_354_ = true;
             }
-            let _e115 = phi_351_;
-            let _e117 = phi_352_;
-            phi_353_ = _e115;
-            phi_354_ = _e117;
+            let _e114 = phi_353_;
+            let _e116 = phi_354_;
+            phi_355_ = _e114;
+            phi_356_ = _e116;
         } else {
-            phi_353_ = bool();
-            phi_354_ = true;
+            phi_355_ = bool();
+            phi_356_ = true;
         }
-        let _e119 = phi_353_;
-        let _e121 = phi_354_;
-        if _e121 {
-            phi_358_ = false;
+        let _e118 = phi_355_;
+        let _e120 = phi_356_;
+        if _e120 {
+            phi_360_ = false;
         } else {
-            phi_358_ = _e119;
+            phi_360_ = _e118;
         }
-        let _e123 = phi_358_;
-        if !(_e123) {
-            let _e126 = samples.member[_e77.first_primitive].normal;
-            let _e128 = samples.member[_e77.first_primitive].position;
-            if ((((_e126.x * (_e97.x - (_e128.x * _e97.w))) + (_e126.y * (_e97.y - (_e128.y * _e97.w)))) + (_e126.z * (_e97.z - (_e128.z * _e97.w)))) > 0f) {
-                let _e152 = samples.member[_e77.first_primitive].flags;
-                let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
-                phi_402_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, ((_e152 & 1u) == 0u));
-            } else {
-                let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e175.unnamed.visibility, false), _e175.unnamed_1);
-                phi_402_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e181.unnamed, true);
-            }
-            let _e186 = phi_402_;
-            phi_406_ = _e186;
-        } else {
-            let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
-            phi_406_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
-        }
-        let _e203 = phi_406_;
-        if _e203.unnamed_1 {
-            phi_1162_ = mask_Masked(_e203.unnamed.visibility, 0u, false);
-        } else {
-            let _e208 = (_e93 < 0.5f);
-            if (_e93 > 0f) {
-                phi_419_ = (_e93 < 1f);
-            } else {
-                phi_419_ = false;
-            }
-            let _e212 = phi_419_;
-            let _e214 = samples.member[_e77.first_primitive].position;
-            let _e218 = p.member.previous.eye;
-            let _e220 = (_e88.x - _e218.x);
-            let _e222 = (_e88.y - _e218.y);
-            let _e224 = (_e88.z - _e218.z);
-            let _e226 = p.member.previous.forward;
-            let _e234 = (((_e220 * _e226.x) + (_e222 * _e226.y)) + (_e224 * _e226.z));
-            let _e236 = p.member.previous.right;
-            let _e246 = p.member.previous.right;
-            let _e261 = p.member.previous.up;
-            let _e271 = p.member.previous.up;
-            let _e286 = p.member.current.eye;
-            let _e289 = (_e214.x - _e286.x);
-            let _e292 = (_e214.y - _e286.y);
-            let _e295 = (_e214.z - _e286.z);
-            let _e297 = p.member.current.forward;
-            let _e305 = (((_e289 * _e297.x) + (_e292 * _e297.y)) + (_e295 * _e297.z));
-            let _e307 = p.member.current.right;
-            let _e317 = p.member.current.right;
-            let _e332 = p.member.current.up;
-            let _e342 = p.member.current.up;
-            let _e361 = p.member.current.size[0u];
-            let _e363 = (((((((_e220 * _e236.x) + (_e222 * _e236.y)) + (_e224 * _e236.z)) / ((((_e246.x * _e246.x) + (_e246.y * _e246.y)) + (_e246.z * _e246.z)) * _e234)) - ((((_e289 * _e307.x) + (_e292 * _e307.y)) + (_e295 * _e307.z)) / ((((_e317.x * _e317.x) + (_e317.y * _e317.y)) + (_e317.z * _e317.z)) * _e305))) * 0.5f) * f32(_e361));
-            let _e367 = p.member.current.size[1u];
-            let _e369 = (((((((_e220 * _e261.x) + (_e222 * _e261.y)) + (_e224 * _e261.z)) / ((((_e271.x * _e271.x) + (_e271.y * _e271.y)) + (_e271.z * _e271.z)) * _e234)) - ((((_e289 * _e332.x) + (_e292 * _e332.y)) + (_e295 * _e332.z)) / ((((_e342.x * _e342.x) + (_e342.y * _e342.y)) + (_e342.z * _e342.z)) * _e305))) * -0.5f) * f32(_e367));
-            let _e373 = p.member.current.size[0u];
-            let _e375 = p.member.current.size[1u];
-            let _e379 = ((f32(_e56.x) + 0.5f) + _e363);
-            if (_e379 > -8388608f) {
-                let _e391 = f32(select(0i, select(select(i32(_e379), i32(-2147483648), (_e379 < bitcast<f32>(3472883712u))), 2147483647i, (_e379 > bitcast<f32>(1325400063u))), (_e379 == _e379)));
-                if (_e391 > _e379) {
-                    phi_605_ = 1f;
+        let _e122 = phi_360_;
+        if !(_e122) {
+            let _e125 = samples.member[_e77.first_primitive].position;
+            let _e127 = p.member.light.place;
+            let _e133 = p.member.light.place[3u];
+            let _e140 = (_e127.x - (_e125.x * _e133));
+            let _e141 = (_e127.y - (_e125.y * _e133));
+            let _e142 = (_e127.z - (_e125.z * _e133));
+            let _e144 = samples.member[_e77.first_primitive].normal;
+            if ((((_e144.x * _e140) + (_e144.y * _e141)) + (_e144.z * _e142)) > 0f) {
+                let _e158 = (((_e140 * _e140) + (_e141 * _e141)) + (_e142 * _e142));
+                let _e160 = p.member.light.axis;
+                let _e172 = p.member.light.place[3u];
+                if (_e172 == 0f) {
+                    phi_431_ = true;
                 } else {
-                    phi_605_ = 0f;
-                }
-                let _e394 = phi_605_;
-                if (_e379 < 8388608f) {
-                    phi_610_ = (_e391 - _e394);
-                    phi_611_ = false;
-                } else {
-                    phi_610_ = f32();
-                    phi_611_ = true;
-                }
-                let _e397 = phi_610_;
-                let _e399 = phi_611_;
-                phi_612_ = _e397;
-                phi_613_ = _e399;
-            } else {
-                phi_612_ = f32();
-                phi_613_ = true;
-            }
-            let _e401 = phi_612_;
-            let _e403 = phi_613_;
-            if _e403 {
-                phi_617_ = _e379;
-            } else {
-                phi_617_ = _e401;
-            }
-            let _e405 = phi_617_;
-            let _e408 = ((f32(_e56.y) + 0.5f) + _e369);
-            if (_e408 > -8388608f) {
-                let _e420 = f32(select(0i, select(select(i32(_e408), i32(-2147483648), (_e408 < bitcast<f32>(3472883712u))), 2147483647i, (_e408 > bitcast<f32>(1325400063u))), (_e408 == _e408)));
-                if (_e420 > _e408) {
-                    phi_640_ = 1f;
-                } else {
-                    phi_640_ = 0f;
-                }
-                let _e423 = phi_640_;
-                if (_e408 < 8388608f) {
-                    phi_645_ = (_e420 - _e423);
-                    phi_646_ = false;
-                } else {
-                    phi_645_ = f32();
-                    phi_646_ = true;
-                }
-                let _e426 = phi_645_;
-                let _e428 = phi_646_;
-                phi_647_ = _e426;
-                phi_648_ = _e428;
-            } else {
-                phi_647_ = f32();
-                phi_648_ = true;
-            }
-            let _e430 = phi_647_;
-            let _e432 = phi_648_;
-            if _e432 {
-                phi_652_ = _e408;
-            } else {
-                phi_652_ = _e430;
-            }
-            let _e434 = phi_652_;
-            if (_e405 >= 0f) {
-                if (_e434 >= 0f) {
-                    if (_e405 < f32(_e373)) {
-                        let _e440 = (_e434 < f32(_e375));
-                        if (_e363 == 0f) {
-                            phi_673_ = (_e369 == 0f);
-                        } else {
-                            phi_673_ = false;
-                        }
-                        let _e444 = phi_673_;
-                        if _e440 {
-                            phi_692_ = vec2<u32>(select(select(u32(_e405), 0u, (_e405 < bitcast<f32>(0u))), 4294967295u, (_e405 > bitcast<f32>(1333788671u))), select(select(u32(_e434), 0u, (_e434 < bitcast<f32>(0u))), 4294967295u, (_e434 > bitcast<f32>(1333788671u))));
-                            phi_693_ = false;
-                        } else {
-                            phi_692_ = vec2<u32>();
-                            phi_693_ = true;
-                        }
-                        let _e461 = phi_692_;
-                        let _e463 = phi_693_;
-                        phi_694_ = _e444;
-                        phi_695_ = _e440;
-                        phi_696_ = _e461;
-                        phi_697_ = _e444;
-                        phi_698_ = _e440;
-                        phi_699_ = false;
-                        phi_700_ = _e463;
+                    let _e175 = p.member.light.range_squared;
+                    if (_e158 <= _e175) {
+                        let _e178 = p.member.light.cos_outer;
+                        phi_430_ = (-((((_e140 * _e160.x) + (_e141 * _e160.y)) + (_e142 * _e160.z))) >= (_e178 * sqrt(_e158)));
                     } else {
-                        phi_694_ = bool();
-                        phi_695_ = bool();
-                        phi_696_ = vec2<u32>();
-                        phi_697_ = bool();
-                        phi_698_ = bool();
-                        phi_699_ = true;
-                        phi_700_ = false;
+                        phi_430_ = false;
                     }
-                    let _e465 = phi_694_;
-                    let _e467 = phi_695_;
-                    let _e469 = phi_696_;
-                    let _e471 = phi_697_;
-                    let _e473 = phi_698_;
-                    let _e475 = phi_699_;
-                    let _e477 = phi_700_;
-                    phi_701_ = _e465;
-                    phi_702_ = _e467;
-                    phi_703_ = _e469;
-                    phi_704_ = _e471;
-                    phi_705_ = _e473;
-                    phi_706_ = _e475;
-                    phi_707_ = _e477;
-                } else {
-                    phi_701_ = bool();
-                    phi_702_ = bool();
-                    phi_703_ = vec2<u32>();
-                    phi_704_ = bool();
-                    phi_705_ = bool();
-                    phi_706_ = true;
-                    phi_707_ = false;
+                    let _e183 = phi_430_;
+                    phi_431_ = _e183;
                 }
-                let _e479 = phi_701_;
-                let _e481 = phi_702_;
-                let _e483 = phi_703_;
-                let _e485 = phi_704_;
-                let _e487 = phi_705_;
-                let _e489 = phi_706_;
-                let _e491 = phi_707_;
-                phi_708_ = _e479;
-                phi_709_ = _e481;
-                phi_710_ = _e483;
-                phi_711_ = _e485;
-                phi_712_ = _e487;
-                phi_713_ = _e489;
-                phi_714_ = _e491;
-            } else {
-                phi_708_ = bool();
-                phi_709_ = bool();
-                phi_710_ = vec2<u32>();
-                phi_711_ = bool();
-                phi_712_ = bool();
-                phi_713_ = true;
-                phi_714_ = false;
-            }
-            let _e493 = phi_708_;
-            let _e495 = phi_709_;
-            let _e497 = phi_710_;
-            let _e499 = phi_711_;
-            let _e501 = phi_712_;
-            let _e503 = phi_713_;
-            let _e505 = phi_714_;
-            if _e503 {
-                if (_e363 == 0f) {
-                    phi_723_ = (_e369 == 0f);
+                let _e185 = phi_431_;
+                if _e185 {
+                    let _e187 = samples.member[_e77.first_primitive].flags;
+                    let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e195.unnamed.visibility, false), _e195.unnamed_1);
+                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e201.unnamed, ((_e187 & 1u) == 0u));
+                    phi_443_ = false;
                 } else {
-                    phi_723_ = false;
+                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_443_ = true;
                 }
-                let _e509 = phi_723_;
-                phi_724_ = _e509;
-                phi_725_ = false;
-                phi_726_ = true;
+                let _e206 = phi_442_;
+                let _e208 = phi_443_;
+                phi_444_ = _e206;
+                phi_445_ = _e208;
             } else {
-                phi_724_ = _e499;
-                phi_725_ = _e501;
-                phi_726_ = _e505;
+                phi_444_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_445_ = true;
             }
-            let _e511 = phi_724_;
-            let _e513 = phi_725_;
-            let _e515 = phi_726_;
-            if _e515 {
-                phi_730_ = _e511;
-                phi_731_ = _e513;
-                phi_732_ = vec2<u32>(_e56.x, _e56.y);
+            let _e210 = phi_444_;
+            let _e212 = phi_445_;
+            if _e212 {
+                let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
+                phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, true);
             } else {
-                phi_730_ = _e493;
-                phi_731_ = _e495;
-                phi_732_ = _e497;
+                phi_452_ = _e210;
             }
-            let _e517 = phi_730_;
-            let _e519 = phi_731_;
-            let _e521 = phi_732_;
-            let _e531 = lt_mask_Reprojection(vec2<u32>(_e521.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e538 = lt_mask_Reprojection(vec2<u32>(_e531.pixel.x, _e521.y), _e531.is_valid, _e531.has_moved);
-            let _e542 = lt_mask_Reprojection(_e538.pixel, _e519, _e538.has_moved);
-            let _e546 = lt_mask_Reprojection(_e542.pixel, _e542.is_valid, !(_e517));
-            if _e519 {
-                let _e549 = p.member.previous.eye;
-                let _e557 = p.member.previous.forward;
-                let _e566 = (((((_e88.x - _e549.x) * _e557.x) + ((_e88.y - _e549.y) * _e557.y)) + ((_e88.z - _e549.z) * _e557.z)) > 0f);
-                let _e570 = lt_mask_Reprojection(_e546.pixel, _e566, _e546.has_moved);
-                if _e566 {
-                    let _e573 = p.member.previous.eye;
-                    let _e581 = p.member.previous.forward;
-                    let _e589 = ((((_e88.x - _e573.x) * _e581.x) + ((_e88.y - _e573.y) * _e581.y)) + ((_e88.z - _e573.z) * _e581.z));
-                    let _e591 = ((_e521.y * _e85) + _e521.x);
-                    if (_e591 < arrayLength((&last_depths.member))) {
+            let _e229 = phi_452_;
+            phi_456_ = _e229;
+        } else {
+            let _e235 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e241 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e235.unnamed.visibility, false), _e235.unnamed_1);
+            phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e241.unnamed, true);
+        }
+        let _e246 = phi_456_;
+        if _e246.unnamed_1 {
+            phi_1212_ = mask_Masked(_e246.unnamed.visibility, 0u, false);
+        } else {
+            let _e251 = (_e93 < 0.5f);
+            if (_e93 > 0f) {
+                phi_469_ = (_e93 < 1f);
+            } else {
+                phi_469_ = false;
+            }
+            let _e255 = phi_469_;
+            let _e257 = samples.member[_e77.first_primitive].position;
+            let _e261 = p.member.previous.eye;
+            let _e263 = (_e88.x - _e261.x);
+            let _e265 = (_e88.y - _e261.y);
+            let _e267 = (_e88.z - _e261.z);
+            let _e269 = p.member.previous.forward;
+            let _e277 = (((_e263 * _e269.x) + (_e265 * _e269.y)) + (_e267 * _e269.z));
+            let _e279 = p.member.previous.right;
+            let _e289 = p.member.previous.right;
+            let _e304 = p.member.previous.up;
+            let _e314 = p.member.previous.up;
+            let _e329 = p.member.current.eye;
+            let _e332 = (_e257.x - _e329.x);
+            let _e335 = (_e257.y - _e329.y);
+            let _e338 = (_e257.z - _e329.z);
+            let _e340 = p.member.current.forward;
+            let _e348 = (((_e332 * _e340.x) + (_e335 * _e340.y)) + (_e338 * _e340.z));
+            let _e350 = p.member.current.right;
+            let _e360 = p.member.current.right;
+            let _e375 = p.member.current.up;
+            let _e385 = p.member.current.up;
+            let _e404 = p.member.current.size[0u];
+            let _e406 = (((((((_e263 * _e279.x) + (_e265 * _e279.y)) + (_e267 * _e279.z)) / ((((_e289.x * _e289.x) + (_e289.y * _e289.y)) + (_e289.z * _e289.z)) * _e277)) - ((((_e332 * _e350.x) + (_e335 * _e350.y)) + (_e338 * _e350.z)) / ((((_e360.x * _e360.x) + (_e360.y * _e360.y)) + (_e360.z * _e360.z)) * _e348))) * 0.5f) * f32(_e404));
+            let _e410 = p.member.current.size[1u];
+            let _e412 = (((((((_e263 * _e304.x) + (_e265 * _e304.y)) + (_e267 * _e304.z)) / ((((_e314.x * _e314.x) + (_e314.y * _e314.y)) + (_e314.z * _e314.z)) * _e277)) - ((((_e332 * _e375.x) + (_e335 * _e375.y)) + (_e338 * _e375.z)) / ((((_e385.x * _e385.x) + (_e385.y * _e385.y)) + (_e385.z * _e385.z)) * _e348))) * -0.5f) * f32(_e410));
+            let _e416 = p.member.current.size[0u];
+            let _e418 = p.member.current.size[1u];
+            let _e422 = ((f32(_e56.x) + 0.5f) + _e406);
+            if (_e422 > -8388608f) {
+                let _e434 = f32(select(0i, select(select(i32(_e422), i32(-2147483648), (_e422 < bitcast<f32>(3472883712u))), 2147483647i, (_e422 > bitcast<f32>(1325400063u))), (_e422 == _e422)));
+                if (_e434 > _e422) {
+                    phi_655_ = 1f;
+                } else {
+                    phi_655_ = 0f;
+                }
+                let _e437 = phi_655_;
+                if (_e422 < 8388608f) {
+                    phi_660_ = (_e434 - _e437);
+                    phi_661_ = false;
+                } else {
+                    phi_660_ = f32();
+                    phi_661_ = true;
+                }
+                let _e440 = phi_660_;
+                let _e442 = phi_661_;
+                phi_662_ = _e440;
+                phi_663_ = _e442;
+            } else {
+                phi_662_ = f32();
+                phi_663_ = true;
+            }
+            let _e444 = phi_662_;
+            let _e446 = phi_663_;
+            if _e446 {
+                phi_667_ = _e422;
+            } else {
+                phi_667_ = _e444;
+            }
+            let _e448 = phi_667_;
+            let _e451 = ((f32(_e56.y) + 0.5f) + _e412);
+            if (_e451 > -8388608f) {
+                let _e463 = f32(select(0i, select(select(i32(_e451), i32(-2147483648), (_e451 < bitcast<f32>(3472883712u))), 2147483647i, (_e451 > bitcast<f32>(1325400063u))), (_e451 == _e451)));
+                if (_e463 > _e451) {
+                    phi_690_ = 1f;
+                } else {
+                    phi_690_ = 0f;
+                }
+                let _e466 = phi_690_;
+                if (_e451 < 8388608f) {
+                    phi_695_ = (_e463 - _e466);
+                    phi_696_ = false;
+                } else {
+                    phi_695_ = f32();
+                    phi_696_ = true;
+                }
+                let _e469 = phi_695_;
+                let _e471 = phi_696_;
+                phi_697_ = _e469;
+                phi_698_ = _e471;
+            } else {
+                phi_697_ = f32();
+                phi_698_ = true;
+            }
+            let _e473 = phi_697_;
+            let _e475 = phi_698_;
+            if _e475 {
+                phi_702_ = _e451;
+            } else {
+                phi_702_ = _e473;
+            }
+            let _e477 = phi_702_;
+            if (_e448 >= 0f) {
+                if (_e477 >= 0f) {
+                    if (_e448 < f32(_e416)) {
+                        let _e483 = (_e477 < f32(_e418));
+                        if (_e406 == 0f) {
+                            phi_723_ = (_e412 == 0f);
+                        } else {
+                            phi_723_ = false;
+                        }
+                        let _e487 = phi_723_;
+                        if _e483 {
+                            phi_742_ = vec2<u32>(select(select(u32(_e448), 0u, (_e448 < bitcast<f32>(0u))), 4294967295u, (_e448 > bitcast<f32>(1333788671u))), select(select(u32(_e477), 0u, (_e477 < bitcast<f32>(0u))), 4294967295u, (_e477 > bitcast<f32>(1333788671u))));
+                            phi_743_ = false;
+                        } else {
+                            phi_742_ = vec2<u32>();
+                            phi_743_ = true;
+                        }
+                        let _e504 = phi_742_;
+                        let _e506 = phi_743_;
+                        phi_744_ = _e487;
+                        phi_745_ = _e483;
+                        phi_746_ = _e504;
+                        phi_747_ = _e487;
+                        phi_748_ = _e483;
+                        phi_749_ = false;
+                        phi_750_ = _e506;
+                    } else {
+                        phi_744_ = bool();
+                        phi_745_ = bool();
+                        phi_746_ = vec2<u32>();
+                        phi_747_ = bool();
+                        phi_748_ = bool();
+                        phi_749_ = true;
+                        phi_750_ = false;
+                    }
+                    let _e508 = phi_744_;
+                    let _e510 = phi_745_;
+                    let _e512 = phi_746_;
+                    let _e514 = phi_747_;
+                    let _e516 = phi_748_;
+                    let _e518 = phi_749_;
+                    let _e520 = phi_750_;
+                    phi_751_ = _e508;
+                    phi_752_ = _e510;
+                    phi_753_ = _e512;
+                    phi_754_ = _e514;
+                    phi_755_ = _e516;
+                    phi_756_ = _e518;
+                    phi_757_ = _e520;
+                } else {
+                    phi_751_ = bool();
+                    phi_752_ = bool();
+                    phi_753_ = vec2<u32>();
+                    phi_754_ = bool();
+                    phi_755_ = bool();
+                    phi_756_ = true;
+                    phi_757_ = false;
+                }
+                let _e522 = phi_751_;
+                let _e524 = phi_752_;
+                let _e526 = phi_753_;
+                let _e528 = phi_754_;
+                let _e530 = phi_755_;
+                let _e532 = phi_756_;
+                let _e534 = phi_757_;
+                phi_758_ = _e522;
+                phi_759_ = _e524;
+                phi_760_ = _e526;
+                phi_761_ = _e528;
+                phi_762_ = _e530;
+                phi_763_ = _e532;
+                phi_764_ = _e534;
+            } else {
+                phi_758_ = bool();
+                phi_759_ = bool();
+                phi_760_ = vec2<u32>();
+                phi_761_ = bool();
+                phi_762_ = bool();
+                phi_763_ = true;
+                phi_764_ = false;
+            }
+            let _e536 = phi_758_;
+            let _e538 = phi_759_;
+            let _e540 = phi_760_;
+            let _e542 = phi_761_;
+            let _e544 = phi_762_;
+            let _e546 = phi_763_;
+            let _e548 = phi_764_;
+            if _e546 {
+                if (_e406 == 0f) {
+                    phi_773_ = (_e412 == 0f);
+                } else {
+                    phi_773_ = false;
+                }
+                let _e552 = phi_773_;
+                phi_774_ = _e552;
+                phi_775_ = false;
+                phi_776_ = true;
+            } else {
+                phi_774_ = _e542;
+                phi_775_ = _e544;
+                phi_776_ = _e548;
+            }
+            let _e554 = phi_774_;
+            let _e556 = phi_775_;
+            let _e558 = phi_776_;
+            if _e558 {
+                phi_780_ = _e554;
+                phi_781_ = _e556;
+                phi_782_ = vec2<u32>(_e56.x, _e56.y);
+            } else {
+                phi_780_ = _e536;
+                phi_781_ = _e538;
+                phi_782_ = _e540;
+            }
+            let _e560 = phi_780_;
+            let _e562 = phi_781_;
+            let _e564 = phi_782_;
+            let _e574 = lt_mask_Reprojection(vec2<u32>(_e564.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e581 = lt_mask_Reprojection(vec2<u32>(_e574.pixel.x, _e564.y), _e574.is_valid, _e574.has_moved);
+            let _e585 = lt_mask_Reprojection(_e581.pixel, _e562, _e581.has_moved);
+            let _e589 = lt_mask_Reprojection(_e585.pixel, _e585.is_valid, !(_e560));
+            if _e562 {
+                let _e592 = p.member.previous.eye;
+                let _e600 = p.member.previous.forward;
+                let _e609 = (((((_e88.x - _e592.x) * _e600.x) + ((_e88.y - _e592.y) * _e600.y)) + ((_e88.z - _e592.z) * _e600.z)) > 0f);
+                let _e613 = lt_mask_Reprojection(_e589.pixel, _e609, _e589.has_moved);
+                if _e609 {
+                    let _e616 = p.member.previous.eye;
+                    let _e624 = p.member.previous.forward;
+                    let _e632 = ((((_e88.x - _e616.x) * _e624.x) + ((_e88.y - _e616.y) * _e624.y)) + ((_e88.z - _e616.z) * _e624.z));
+                    let _e634 = ((_e564.y * _e85) + _e564.x);
+                    if (_e634 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e595 = last_depths.member[(0u + _e591)];
-                    let _e597 = p.member.depth_tolerance;
-                    let _e600 = abs(_e589);
-                    let _e601 = abs(_e595);
-                    if ((bitcast<u32>(_e601) & 2147483647u) > 2139095040u) {
-                        phi_815_ = true;
+                    let _e638 = last_depths.member[(0u + _e634)];
+                    let _e640 = p.member.depth_tolerance;
+                    let _e643 = abs(_e632);
+                    let _e644 = abs(_e638);
+                    if ((bitcast<u32>(_e644) & 2147483647u) > 2139095040u) {
+                        phi_865_ = true;
                     } else {
-                        let _e605 = (_e601 > _e600);
-                        if _e605 {
+                        let _e648 = (_e644 > _e643);
+                        if _e648 {
                         }
-                        phi_815_ = _e605;
+                        phi_865_ = _e648;
                     }
-                    let _e607 = phi_815_;
-                    if _e607 {
-                        phi_819_ = _e601;
+                    let _e650 = phi_865_;
+                    if _e650 {
+                        phi_869_ = _e644;
                     } else {
-                        phi_819_ = _e600;
+                        phi_869_ = _e643;
                     }
-                    let _e609 = phi_819_;
-                    phi_823_ = lt_mask_Reprojection(_e570.pixel, (abs((_e589 - _e595)) <= (_e597 * _e609)), _e570.has_moved);
+                    let _e652 = phi_869_;
+                    phi_873_ = lt_mask_Reprojection(_e613.pixel, (abs((_e632 - _e638)) <= (_e640 * _e652)), _e613.has_moved);
                 } else {
-                    phi_823_ = _e570;
+                    phi_873_ = _e613;
                 }
-                let _e617 = phi_823_;
-                if _e617.is_valid {
-                    let _e620 = p.member.flags;
-                    phi_832_ = ((_e620 & 1u) != 0u);
-                    phi_833_ = false;
+                let _e660 = phi_873_;
+                if _e660.is_valid {
+                    let _e663 = p.member.flags;
+                    phi_882_ = ((_e663 & 1u) != 0u);
+                    phi_883_ = false;
                 } else {
-                    phi_832_ = bool();
-                    phi_833_ = true;
+                    phi_882_ = bool();
+                    phi_883_ = true;
                 }
-                let _e624 = phi_832_;
-                let _e626 = phi_833_;
-                phi_835_ = _e624;
-                phi_836_ = _e617;
-                phi_837_ = _e617;
-                phi_838_ = _e626;
+                let _e667 = phi_882_;
+                let _e669 = phi_883_;
+                phi_885_ = _e667;
+                phi_886_ = _e660;
+                phi_887_ = _e660;
+                phi_888_ = _e669;
             } else {
-                phi_835_ = bool();
-                phi_836_ = lt_mask_Reprojection();
-                phi_837_ = lt_mask_Reprojection(_e546.pixel, false, _e546.has_moved);
-                phi_838_ = true;
+                phi_885_ = bool();
+                phi_886_ = lt_mask_Reprojection();
+                phi_887_ = lt_mask_Reprojection(_e589.pixel, false, _e589.has_moved);
+                phi_888_ = true;
             }
-            let _e632 = phi_835_;
-            let _e634 = phi_836_;
-            let _e636 = phi_837_;
-            let _e638 = phi_838_;
-            if _e638 {
-                phi_842_ = false;
-                phi_843_ = _e636;
+            let _e675 = phi_885_;
+            let _e677 = phi_886_;
+            let _e679 = phi_887_;
+            let _e681 = phi_888_;
+            if _e681 {
+                phi_892_ = false;
+                phi_893_ = _e679;
             } else {
-                phi_842_ = _e632;
-                phi_843_ = _e634;
+                phi_892_ = _e675;
+                phi_893_ = _e677;
             }
-            let _e640 = phi_842_;
-            let _e642 = phi_843_;
-            let _e646 = lt_mask_Reprojection(_e642.pixel, _e640, _e642.has_moved);
-            let _e648 = p.member.flags;
-            if _e646.has_moved {
-                let _e653 = p.member.flags;
-                phi_857_ = ((_e653 & 4u) == 0u);
+            let _e683 = phi_892_;
+            let _e685 = phi_893_;
+            let _e689 = lt_mask_Reprojection(_e685.pixel, _e683, _e685.has_moved);
+            let _e691 = p.member.flags;
+            if _e689.has_moved {
+                let _e696 = p.member.flags;
+                phi_907_ = ((_e696 & 4u) == 0u);
             } else {
-                phi_857_ = false;
+                phi_907_ = false;
             }
-            let _e657 = phi_857_;
-            if ((_e648 & 2u) != 0u) {
+            let _e700 = phi_907_;
+            if ((_e691 & 2u) != 0u) {
                 if false {
-                    phi_870_ = bool();
-                    phi_871_ = true;
+                    phi_920_ = bool();
+                    phi_921_ = true;
                 } else {
                     if true {
-                        phi_868_ = !(_e657);
-                        phi_869_ = false;
+                        phi_918_ = !(_e700);
+                        phi_919_ = false;
                     } else {
-                        phi_868_ = bool();
-                        phi_869_ = true;
+                        phi_918_ = bool();
+                        phi_919_ = true;
                     }
-                    let _e660 = phi_868_;
-                    let _e662 = phi_869_;
-                    phi_870_ = _e660;
-                    phi_871_ = _e662;
+                    let _e703 = phi_918_;
+                    let _e705 = phi_919_;
+                    phi_920_ = _e703;
+                    phi_921_ = _e705;
                 }
-                let _e664 = phi_870_;
-                let _e666 = phi_871_;
-                phi_872_ = _e664;
-                phi_873_ = _e666;
+                let _e707 = phi_920_;
+                let _e709 = phi_921_;
+                phi_922_ = _e707;
+                phi_923_ = _e709;
             } else {
-                phi_872_ = bool();
-                phi_873_ = true;
+                phi_922_ = bool();
+                phi_923_ = true;
             }
-            let _e668 = phi_872_;
-            let _e670 = phi_873_;
-            if _e670 {
-                phi_877_ = false;
+            let _e711 = phi_922_;
+            let _e713 = phi_923_;
+            if _e713 {
+                phi_927_ = false;
             } else {
-                phi_877_ = _e668;
+                phi_927_ = _e711;
             }
-            let _e672 = phi_877_;
-            let _e673 = lt_mask_Neighbourhood(false, true);
-            if _e212 {
-                phi_882_ = _e672;
+            let _e715 = phi_927_;
+            let _e716 = lt_mask_Neighbourhood(false, true);
+            if _e255 {
+                phi_932_ = _e715;
             } else {
-                phi_882_ = false;
+                phi_932_ = false;
             }
-            let _e675 = phi_882_;
-            if _e675 {
-                if _e640 {
-                    if _e646.has_moved {
-                        let _e678 = p.member.moving_pattern;
-                        phi_897_ = _e678;
+            let _e718 = phi_932_;
+            if _e718 {
+                if _e683 {
+                    if _e689.has_moved {
+                        let _e721 = p.member.moving_pattern;
+                        phi_947_ = _e721;
                     } else {
-                        let _e680 = p.member.still_pattern;
-                        phi_897_ = _e680;
+                        let _e723 = p.member.still_pattern;
+                        phi_947_ = _e723;
                     }
-                    let _e682 = phi_897_;
-                    phi_899_ = 0u;
-                    phi_902_ = _e673;
+                    let _e725 = phi_947_;
+                    phi_949_ = 0u;
+                    phi_952_ = _e716;
                     loop {
-                        let _e684 = phi_899_;
-                        let _e686 = phi_902_;
-                        local_1 = _e686;
-                        if (1u <= _e682) {
-                            if (_e682 <= 4u) {
-                                phi_914_ = false;
+                        let _e727 = phi_949_;
+                        let _e729 = phi_952_;
+                        local_1 = _e729;
+                        if (1u <= _e725) {
+                            if (_e725 <= 4u) {
+                                phi_964_ = false;
                             } else {
-                                phi_914_ = true;
+                                phi_964_ = true;
                             }
-                            let _e690 = phi_914_;
-                            phi_915_ = _e690;
+                            let _e733 = phi_964_;
+                            phi_965_ = _e733;
                         } else {
-                            phi_915_ = true;
+                            phi_965_ = true;
                         }
-                        let _e692 = phi_915_;
-                        if _e692 {
-                            switch bitcast<i32>(_e682) {
+                        let _e735 = phi_965_;
+                        if _e735 {
+                            switch bitcast<i32>(_e725) {
                                 case 5: {
-                                    phi_924_ = 4u;
+                                    phi_974_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_924_ = 25u;
+                                    phi_974_ = 25u;
                                     break;
                                 }
                                 case 7: {
-                                    phi_924_ = 13u;
+                                    phi_974_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_924_ = 9u;
+                                    phi_974_ = 9u;
                                     break;
                                 }
                             }
-                            let _e695 = phi_924_;
-                            phi_925_ = _e695;
+                            let _e738 = phi_974_;
+                            phi_975_ = _e738;
                         } else {
-                            phi_925_ = 5u;
+                            phi_975_ = 5u;
                         }
-                        let _e697 = phi_925_;
-                        let _e698 = (_e684 < _e697);
-                        if _e698 {
-                            let _e704 = p.member.frame;
-                            let _e708 = p.member.current.size[0u];
-                            let _e710 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e682) {
+                        let _e740 = phi_975_;
+                        let _e741 = (_e727 < _e740);
+                        if _e741 {
+                            let _e747 = p.member.frame;
+                            let _e751 = p.member.current.size[0u];
+                            let _e753 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e725) {
                                 case 1: {
-                                    let _e720 = lt_mask_pattern_plus(_e684);
-                                    phi_1005_ = vec2<i32>(_e720.x, _e720.y);
+                                    let _e763 = lt_mask_pattern_plus(_e727);
+                                    phi_1055_ = vec2<i32>(_e763.x, _e763.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e724 = lt_mask_pattern_cross(_e684);
-                                    phi_1005_ = vec2<i32>(_e724.x, _e724.y);
+                                    let _e767 = lt_mask_pattern_cross(_e727);
+                                    phi_1055_ = vec2<i32>(_e767.x, _e767.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e730 = lt_mask_pattern_plus_or_cross(_e684, ((_e646.pixel.x + _e646.pixel.y) & 1u));
-                                    phi_1005_ = vec2<i32>(_e730.x, _e730.y);
+                                    let _e773 = lt_mask_pattern_plus_or_cross(_e727, ((_e689.pixel.x + _e689.pixel.y) & 1u));
+                                    phi_1055_ = vec2<i32>(_e773.x, _e773.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e735 = lt_mask_pattern_plus_or_cross(_e684, (_e704 & 1u));
-                                    phi_1005_ = vec2<i32>(_e735.x, _e735.y);
+                                    let _e778 = lt_mask_pattern_plus_or_cross(_e727, (_e747 & 1u));
+                                    phi_1055_ = vec2<i32>(_e778.x, _e778.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e704 & 3u)) {
+                                    switch bitcast<i32>((_e747 & 3u)) {
                                         case 0: {
-                                            phi_985_ = vec2(-1i);
+                                            phi_1035_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_985_ = vec2(0i);
+                                            phi_1035_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_985_ = vec2<i32>(0i, -1i);
+                                            phi_1035_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_985_ = vec2<i32>(-1i, 0i);
+                                            phi_1035_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e746 = phi_985_;
-                                    phi_1005_ = (_e746 + vec2<i32>(bitcast<i32>((_e684 & 1u)), bitcast<i32>(((_e684 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e789 = phi_1035_;
+                                    phi_1055_ = (_e789 + vec2<i32>(bitcast<i32>((_e727 & 1u)), bitcast<i32>(((_e727 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_1005_ = vec2<i32>((bitcast<i32>((_e684 % 5u)) - 2i), (bitcast<i32>(((_e684 / 5u) % 5u)) - 2i));
+                                    phi_1055_ = vec2<i32>((bitcast<i32>((_e727 % 5u)) - 2i), (bitcast<i32>(((_e727 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 case 7: {
-                                    let _e763 = lt_mask_pattern_diamond(_e684);
-                                    phi_1005_ = vec2<i32>(_e763.x, _e763.y);
+                                    let _e806 = lt_mask_pattern_diamond(_e727);
+                                    phi_1055_ = vec2<i32>(_e806.x, _e806.y);
                                     break;
                                 }
                                 default: {
-                                    phi_1005_ = vec2<i32>((bitcast<i32>((_e684 % 3u)) - 1i), (bitcast<i32>(((_e684 / 3u) % 3u)) - 1i));
+                                    phi_1055_ = vec2<i32>((bitcast<i32>((_e727 % 3u)) - 1i), (bitcast<i32>(((_e727 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e768 = phi_1005_;
-                            let _e771 = lt_mask_pattern_step_clamped(_e646.pixel.x, _e768.x, _e708);
-                            let _e772 = lt_mask_pattern_step_clamped(_e646.pixel.y, _e768.y, _e710);
-                            let _e774 = ((_e772 * _e85) + _e771);
-                            if (_e774 < arrayLength((&last_bits.member))) {
+                            let _e811 = phi_1055_;
+                            let _e814 = lt_mask_pattern_step_clamped(_e689.pixel.x, _e811.x, _e751);
+                            let _e815 = lt_mask_pattern_step_clamped(_e689.pixel.y, _e811.y, _e753);
+                            let _e817 = ((_e815 * _e85) + _e814);
+                            if (_e817 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e778 = last_bits.member[(0u + _e774)];
-                            if ((_e778 & 2u) == 0u) {
-                                phi_1028_ = (_e778 & 1u);
+                            let _e821 = last_bits.member[(0u + _e817)];
+                            if ((_e821 & 2u) == 0u) {
+                                phi_1078_ = (_e821 & 1u);
                             } else {
-                                phi_1028_ = (_e778 & 7u);
+                                phi_1078_ = (_e821 & 7u);
                             }
-                            let _e784 = phi_1028_;
-                            if _e686.any_expands {
-                                phi_1054_ = true;
+                            let _e827 = phi_1078_;
+                            if _e729.any_expands {
+                                phi_1104_ = true;
                             } else {
-                                if ((_e784 & 2u) != 0u) {
-                                    if (((_e784 & 4u) != 0u) != _e208) {
-                                        phi_1045_ = false;
+                                if ((_e827 & 2u) != 0u) {
+                                    if (((_e827 & 4u) != 0u) != _e251) {
+                                        phi_1095_ = false;
                                     } else {
-                                        phi_1045_ = true;
+                                        phi_1095_ = true;
                                     }
-                                    let _e793 = phi_1045_;
-                                    phi_1046_ = _e793;
+                                    let _e836 = phi_1095_;
+                                    phi_1096_ = _e836;
                                 } else {
-                                    phi_1046_ = true;
+                                    phi_1096_ = true;
                                 }
-                                let _e795 = phi_1046_;
-                                if _e795 {
-                                    phi_1053_ = (((_e784 & 1u) != 0u) != _e208);
+                                let _e838 = phi_1096_;
+                                if _e838 {
+                                    phi_1103_ = (((_e827 & 1u) != 0u) != _e251);
                                 } else {
-                                    phi_1053_ = true;
+                                    phi_1103_ = true;
                                 }
-                                let _e800 = phi_1053_;
-                                phi_1054_ = _e800;
+                                let _e843 = phi_1103_;
+                                phi_1104_ = _e843;
                             }
-                            let _e802 = phi_1054_;
-                            if _e686.all_remove {
-                                if (((_e784 & 1u) != 0u) == _e208) {
-                                    if ((_e784 & 2u) != 0u) {
-                                        phi_1072_ = (((_e784 & 4u) != 0u) == _e208);
+                            let _e845 = phi_1104_;
+                            if _e729.all_remove {
+                                if (((_e827 & 1u) != 0u) == _e251) {
+                                    if ((_e827 & 2u) != 0u) {
+                                        phi_1122_ = (((_e827 & 4u) != 0u) == _e251);
                                     } else {
-                                        phi_1072_ = true;
+                                        phi_1122_ = true;
                                     }
-                                    let _e812 = phi_1072_;
-                                    phi_1073_ = _e812;
+                                    let _e855 = phi_1122_;
+                                    phi_1123_ = _e855;
                                 } else {
-                                    phi_1073_ = false;
+                                    phi_1123_ = false;
                                 }
-                                let _e814 = phi_1073_;
-                                phi_1074_ = _e814;
+                                let _e857 = phi_1123_;
+                                phi_1124_ = _e857;
                             } else {
-                                phi_1074_ = false;
+                                phi_1124_ = false;
                             }
-                            let _e816 = phi_1074_;
-                            phi_900_ = (_e684 + 1u);
-                            phi_903_ = lt_mask_Neighbourhood(_e802, _e816);
+                            let _e859 = phi_1124_;
+                            phi_950_ = (_e727 + 1u);
+                            phi_953_ = lt_mask_Neighbourhood(_e845, _e859);
                         } else {
-                            phi_900_ = u32();
-                            phi_903_ = lt_mask_Neighbourhood();
+                            phi_950_ = u32();
+                            phi_953_ = lt_mask_Neighbourhood();
                         }
-                        let _e820 = phi_900_;
-                        let _e822 = phi_903_;
+                        let _e863 = phi_950_;
+                        let _e865 = phi_953_;
                         continue;
                         continuing {
-                            phi_899_ = _e820;
-                            phi_902_ = _e822;
-                            break if !(_e698);
+                            phi_949_ = _e863;
+                            phi_952_ = _e865;
+                            break if !(_e741);
                         }
                     }
-                    let _e1044 = local_1;
-                    phi_1077_ = _e1044;
+                    let _e1093 = local_1;
+                    phi_1127_ = _e1093;
                 } else {
-                    phi_1077_ = _e673;
+                    phi_1127_ = _e716;
                 }
-                let _e825 = phi_1077_;
-                phi_1078_ = _e825;
+                let _e868 = phi_1127_;
+                phi_1128_ = _e868;
             } else {
-                phi_1078_ = _e673;
+                phi_1128_ = _e716;
             }
-            let _e827 = phi_1078_;
+            let _e870 = phi_1128_;
             if (_e93 != 0.5f) {
-                if _e640 {
-                    if _e212 {
-                        phi_1104_ = true;
+                if _e683 {
+                    if _e255 {
+                        phi_1154_ = true;
                     } else {
-                        if _e827.any_expands {
-                            phi_1103_ = false;
+                        if _e870.any_expands {
+                            phi_1153_ = false;
                         } else {
-                            phi_1103_ = true;
+                            phi_1153_ = true;
                         }
-                        let _e832 = phi_1103_;
-                        phi_1104_ = _e832;
+                        let _e875 = phi_1153_;
+                        phi_1154_ = _e875;
                     }
-                    let _e834 = phi_1104_;
-                    if _e834 {
-                        if _e212 {
-                            if _e672 {
-                                if _e827.all_remove {
-                                    phi_1117_ = false;
+                    let _e877 = phi_1154_;
+                    if _e877 {
+                        if _e255 {
+                            if _e715 {
+                                if _e870.all_remove {
+                                    phi_1167_ = false;
                                 } else {
-                                    phi_1117_ = true;
+                                    phi_1167_ = true;
                                 }
-                                let _e836 = phi_1117_;
-                                phi_1118_ = _e836;
+                                let _e879 = phi_1167_;
+                                phi_1168_ = _e879;
                             } else {
-                                phi_1118_ = true;
+                                phi_1168_ = true;
                             }
-                            let _e838 = phi_1118_;
-                            phi_1119_ = _e838;
+                            let _e881 = phi_1168_;
+                            phi_1169_ = _e881;
                         } else {
-                            phi_1119_ = true;
+                            phi_1169_ = true;
                         }
-                        let _e840 = phi_1119_;
-                        if _e840 {
-                            if _e212 {
-                                phi_1126_ = 1u;
+                        let _e883 = phi_1169_;
+                        if _e883 {
+                            if _e255 {
+                                phi_1176_ = 1u;
                             } else {
-                                phi_1126_ = 0u;
+                                phi_1176_ = 0u;
                             }
-                            let _e842 = phi_1126_;
-                            phi_1127_ = _e842;
+                            let _e885 = phi_1176_;
+                            phi_1177_ = _e885;
                         } else {
-                            phi_1127_ = 5u;
+                            phi_1177_ = 5u;
                         }
-                        let _e844 = phi_1127_;
-                        phi_1128_ = _e844;
+                        let _e887 = phi_1177_;
+                        phi_1178_ = _e887;
                     } else {
-                        phi_1128_ = 4u;
+                        phi_1178_ = 4u;
                     }
-                    let _e846 = phi_1128_;
-                    phi_1129_ = _e846;
+                    let _e889 = phi_1178_;
+                    phi_1179_ = _e889;
                 } else {
-                    phi_1129_ = 3u;
+                    phi_1179_ = 3u;
                 }
-                let _e848 = phi_1129_;
-                phi_1130_ = _e848;
+                let _e891 = phi_1179_;
+                phi_1180_ = _e891;
             } else {
-                phi_1130_ = 2u;
+                phi_1180_ = 2u;
             }
-            let _e850 = phi_1130_;
-            if !((_e850 == 0u)) {
-                phi_1138_ = !((_e850 == 5u));
+            let _e893 = phi_1180_;
+            if !((_e893 == 0u)) {
+                phi_1188_ = !((_e893 == 5u));
             } else {
-                phi_1138_ = false;
+                phi_1188_ = false;
             }
-            let _e856 = phi_1138_;
-            if _e856 {
-                if _e208 {
-                    phi_1146_ = (2u | 1u);
+            let _e899 = phi_1188_;
+            if _e899 {
+                if _e251 {
+                    phi_1196_ = (2u | 1u);
                 } else {
-                    phi_1146_ = 2u;
+                    phi_1196_ = 2u;
                 }
-                let _e859 = phi_1146_;
+                let _e902 = phi_1196_;
                 if false {
-                    phi_1151_ = (_e859 | 4u);
+                    phi_1201_ = (_e902 | 4u);
                 } else {
-                    phi_1151_ = _e859;
+                    phi_1201_ = _e902;
                 }
-                let _e862 = phi_1151_;
-                phi_1156_ = _e862;
+                let _e905 = phi_1201_;
+                phi_1206_ = _e905;
             } else {
-                if _e208 {
-                    phi_1155_ = 1u;
+                if _e251 {
+                    phi_1205_ = 1u;
                 } else {
-                    phi_1155_ = 0u;
+                    phi_1205_ = 0u;
                 }
-                let _e864 = phi_1155_;
-                phi_1156_ = _e864;
+                let _e907 = phi_1205_;
+                phi_1206_ = _e907;
             }
-            let _e866 = phi_1156_;
-            if _e208 {
-                phi_1160_ = 0f;
+            let _e909 = phi_1206_;
+            if _e251 {
+                phi_1210_ = 0f;
             } else {
-                phi_1160_ = 1f;
+                phi_1210_ = 1f;
             }
-            let _e868 = phi_1160_;
-            phi_1162_ = mask_Masked(_e868, _e866, _e856);
+            let _e911 = phi_1210_;
+            phi_1212_ = mask_Masked(_e911, _e909, _e899);
         }
-        let _e871 = phi_1162_;
-        visibility.member[_e77.first_primitive] = _e871.visibility;
-        bits.member[_e77.first_primitive] = _e871.bits;
-        let _e879 = samples.member[_e77.first_primitive].normal[0u];
-        let _e881 = global[0u];
-        if (_e879 == _e881) {
-            let _e884 = samples.member[_e77.first_primitive].normal[1u];
-            let _e886 = global[1u];
-            if (_e884 == _e886) {
-                let _e889 = samples.member[_e77.first_primitive].normal[2u];
-                let _e891 = global[2u];
-                phi_1190_ = (_e889 == _e891);
-                phi_1191_ = false;
+        let _e914 = phi_1212_;
+        visibility.member[_e77.first_primitive] = _e914.visibility;
+        bits.member[_e77.first_primitive] = _e914.bits;
+        let _e922 = samples.member[_e77.first_primitive].normal[0u];
+        let _e924 = global[0u];
+        if (_e922 == _e924) {
+            let _e927 = samples.member[_e77.first_primitive].normal[1u];
+            let _e929 = global[1u];
+            if (_e927 == _e929) {
+                let _e932 = samples.member[_e77.first_primitive].normal[2u];
+                let _e934 = global[2u];
+                phi_1240_ = (_e932 == _e934);
+                phi_1241_ = false;
             } else {
-                phi_1190_ = bool();
-                phi_1191_ = true;
+                phi_1240_ = bool();
+                phi_1241_ = true;
             }
-            let _e894 = phi_1190_;
-            let _e896 = phi_1191_;
-            phi_1192_ = _e894;
-            phi_1193_ = _e896;
+            let _e937 = phi_1240_;
+            let _e939 = phi_1241_;
+            phi_1242_ = _e937;
+            phi_1243_ = _e939;
         } else {
-            phi_1192_ = bool();
-            phi_1193_ = true;
+            phi_1242_ = bool();
+            phi_1243_ = true;
         }
-        let _e898 = phi_1192_;
-        let _e900 = phi_1193_;
-        if _e900 {
-            phi_1197_ = false;
+        let _e941 = phi_1242_;
+        let _e943 = phi_1243_;
+        if _e943 {
+            phi_1247_ = false;
         } else {
-            phi_1197_ = _e898;
+            phi_1247_ = _e941;
         }
-        let _e902 = phi_1197_;
-        if !(_e902) {
-            let _e905 = samples.member[_e77.first_primitive].position;
-            let _e907 = p.member.current.eye;
-            let _e918 = p.member.current.forward;
-            phi_1225_ = ((((_e905.x - _e907.x) * _e918.x) + ((_e905.y - _e907.y) * _e918.y)) + ((_e905.z - _e907.z) * _e918.z));
+        let _e945 = phi_1247_;
+        if !(_e945) {
+            let _e948 = samples.member[_e77.first_primitive].position;
+            let _e950 = p.member.current.eye;
+            let _e961 = p.member.current.forward;
+            phi_1275_ = ((((_e948.x - _e950.x) * _e961.x) + ((_e948.y - _e950.y) * _e961.y)) + ((_e948.z - _e950.z) * _e961.z));
         } else {
-            phi_1225_ = 0f;
+            phi_1275_ = 0f;
         }
-        let _e928 = phi_1225_;
-        depths.member[_e77.first_primitive] = _e928;
-        phi_1228_ = _e871.needs_ray;
-        phi_1229_ = _e77.first_primitive;
+        let _e971 = phi_1275_;
+        depths.member[_e77.first_primitive] = _e971;
+        phi_1278_ = _e914.needs_ray;
+        phi_1279_ = _e77.first_primitive;
     } else {
-        phi_1228_ = false;
-        phi_1229_ = 0u;
+        phi_1278_ = false;
+        phi_1279_ = 0u;
     }
-    let _e932 = phi_1228_;
-    let _e934 = phi_1229_;
+    let _e975 = phi_1278_;
+    let _e977 = phi_1279_;
     if (_e57 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e932 {
-        let _e938 = atomicAdd((&shared_[0u]), 1u);
-        phi_1240_ = _e938;
+    if _e975 {
+        let _e981 = atomicAdd((&shared_[0u]), 1u);
+        phi_1290_ = _e981;
     } else {
-        phi_1240_ = 0u;
+        phi_1290_ = 0u;
     }
-    let _e940 = phi_1240_;
+    let _e983 = phi_1290_;
     workgroupBarrier();
     if (_e57 == 0u) {
-        let _e944 = atomicLoad((&shared_[0u]));
-        let _e945 = atomicAdd((&list.member[3u]), _e944);
-        atomicStore((&shared_[1u]), _e945);
+        let _e987 = atomicLoad((&shared_[0u]));
+        let _e988 = atomicAdd((&list.member[3u]), _e987);
+        atomicStore((&shared_[1u]), _e988);
     }
     workgroupBarrier();
-    if _e932 {
-        let _e948 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e948) + _e940)]), _e934);
+    if _e975 {
+        let _e991 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e991) + _e983)]), _e977);
     }
     return;
 }

@@ -11,10 +11,19 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
-    light: vec4<f32>,
+    light: abi_LightParams,
     frame: u32,
     still_pattern: u32,
     moving_pattern: u32,
@@ -82,11 +91,11 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_42 {
+struct type_44 {
     member: array<vec4<f32>>,
 }
 
-struct type_47 {
+struct type_49 {
     member: array<atomic<u32>>,
 }
 
@@ -103,270 +112,276 @@ var<storage, read_write> bits: type_17;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_21;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_47;
+var<storage, read_write> list: type_49;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
-var<storage> past: type_42;
+var<storage> past: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_163_: lt_bvh_traverse_Tree;
-    var phi_164_: bool;
-    var phi_165_: lt_bvh_traverse_Tree;
-    var phi_166_: bool;
-    var phi_171_: lt_bvh_traverse_Tree;
+    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_169_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_171_: bool;
+    var phi_176_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_163_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_164_ = false;
+            phi_168_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_169_ = false;
         } else {
-            phi_163_ = lt_bvh_traverse_Tree();
-            phi_164_ = true;
+            phi_168_ = lt_bvh_traverse_Tree();
+            phi_169_ = true;
         }
-        let _e65 = phi_163_;
-        let _e67 = phi_164_;
-        phi_165_ = _e65;
-        phi_166_ = _e67;
+        let _e65 = phi_168_;
+        let _e67 = phi_169_;
+        phi_170_ = _e65;
+        phi_171_ = _e67;
     } else {
-        phi_165_ = lt_bvh_traverse_Tree();
-        phi_166_ = true;
+        phi_170_ = lt_bvh_traverse_Tree();
+        phi_171_ = true;
     }
-    let _e69 = phi_165_;
-    let _e71 = phi_166_;
+    let _e69 = phi_170_;
+    let _e71 = phi_171_;
     if _e71 {
-        phi_171_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_176_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_171_ = _e69;
+        phi_176_ = _e69;
     }
-    let _e76 = phi_171_;
+    let _e76 = phi_176_;
     return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_189_: vec2<i32>;
+    var phi_194_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_189_ = vec2(0i);
+            phi_194_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_189_ = vec2<i32>(0i, -1i);
+            phi_194_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_189_ = vec2<i32>(-1i, 0i);
+            phi_194_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_189_ = vec2<i32>(1i, 0i);
+            phi_194_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_189_ = vec2<i32>(0i, 1i);
+            phi_194_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e61 = phi_189_;
+    let _e61 = phi_194_;
     return vec2<i32>(_e61.x, _e61.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_207_: vec2<i32>;
+    var phi_212_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_207_ = vec2(0i);
+            phi_212_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_207_ = vec2(-1i);
+            phi_212_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_207_ = vec2<i32>(1i, -1i);
+            phi_212_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_207_ = vec2<i32>(-1i, 1i);
+            phi_212_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_207_ = vec2(1i);
+            phi_212_ = vec2(1i);
             break;
         }
     }
-    let _e61 = phi_207_;
+    let _e61 = phi_212_;
     return vec2<i32>(_e61.x, _e61.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_226_: vec2<i32>;
+    var phi_231_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e55 = lt_mask_pattern_plus(param_5);
-        phi_226_ = vec2<i32>(_e55.x, _e55.y);
+        phi_231_ = vec2<i32>(_e55.x, _e55.y);
     } else {
         let _e59 = lt_mask_pattern_cross(param_5);
-        phi_226_ = vec2<i32>(_e59.x, _e59.y);
+        phi_231_ = vec2<i32>(_e59.x, _e59.y);
     }
-    let _e64 = phi_226_;
+    let _e64 = phi_231_;
     return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_251_: vec2<i32>;
+    var phi_256_: vec2<i32>;
 
     let _e53 = (param_7 % 13u);
     switch bitcast<i32>(_e53) {
         case 9: {
-            phi_251_ = vec2<i32>(0i, -2i);
+            phi_256_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_251_ = vec2<i32>(-2i, 0i);
+            phi_256_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_251_ = vec2<i32>(2i, 0i);
+            phi_256_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_251_ = vec2<i32>(0i, 2i);
+            phi_256_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_251_ = vec2<i32>((bitcast<i32>((_e53 % 3u)) - 1i), (bitcast<i32>(((_e53 / 3u) % 3u)) - 1i));
+            phi_256_ = vec2<i32>((bitcast<i32>((_e53 % 3u)) - 1i), (bitcast<i32>(((_e53 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e68 = phi_251_;
+    let _e68 = phi_256_;
     return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_272_: u32;
-    var phi_273_: u32;
+    var phi_277_: u32;
+    var phi_278_: u32;
 
     let _e56 = (bitcast<i32>(param_8) + param_9);
     if (_e56 < 0i) {
-        phi_273_ = 0u;
+        phi_278_ = 0u;
     } else {
         if (_e56 >= bitcast<i32>(param_10)) {
-            phi_272_ = (param_10 - 1u);
+            phi_277_ = (param_10 - 1u);
         } else {
-            phi_272_ = bitcast<u32>(_e56);
+            phi_277_ = bitcast<u32>(_e56);
         }
-        let _e63 = phi_272_;
-        phi_273_ = _e63;
+        let _e63 = phi_277_;
+        phi_278_ = _e63;
     }
-    let _e65 = phi_273_;
+    let _e65 = phi_278_;
     return _e65;
 }
 
 fn function_() {
-    var phi_338_: bool;
-    var phi_339_: bool;
-    var phi_340_: bool;
-    var phi_341_: bool;
+    var phi_342_: bool;
+    var phi_343_: bool;
+    var phi_344_: bool;
     var phi_345_: bool;
-    var phi_389_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_393_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_406_: bool;
-    var phi_592_: f32;
-    var phi_597_: f32;
-    var phi_598_: bool;
-    var phi_599_: f32;
-    var phi_600_: bool;
-    var phi_604_: f32;
-    var phi_627_: f32;
-    var phi_632_: f32;
-    var phi_633_: bool;
-    var phi_634_: f32;
-    var phi_635_: bool;
-    var phi_639_: f32;
-    var phi_660_: bool;
-    var phi_679_: vec2<u32>;
-    var phi_680_: bool;
-    var phi_681_: bool;
-    var phi_682_: bool;
-    var phi_683_: vec2<u32>;
-    var phi_684_: bool;
+    var phi_349_: bool;
+    var phi_419_: bool;
+    var phi_420_: bool;
+    var phi_431_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_432_: bool;
+    var phi_433_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_434_: bool;
+    var phi_441_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_445_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_458_: bool;
+    var phi_644_: f32;
+    var phi_649_: f32;
+    var phi_650_: bool;
+    var phi_651_: f32;
+    var phi_652_: bool;
+    var phi_656_: f32;
+    var phi_679_: f32;
+    var phi_684_: f32;
     var phi_685_: bool;
-    var phi_686_: bool;
+    var phi_686_: f32;
     var phi_687_: bool;
-    var phi_688_: bool;
-    var phi_689_: bool;
-    var phi_690_: vec2<u32>;
-    var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_694_: bool;
-    var phi_695_: bool;
-    var phi_696_: bool;
-    var phi_697_: vec2<u32>;
-    var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_701_: bool;
-    var phi_710_: bool;
-    var phi_711_: bool;
+    var phi_691_: f32;
     var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_717_: bool;
-    var phi_718_: bool;
-    var phi_719_: vec2<u32>;
-    var phi_758_: bool;
-    var phi_759_: bool;
-    var phi_761_: bool;
-    var phi_762_: lt_mask_Reprojection;
-    var phi_763_: lt_mask_Reprojection;
+    var phi_731_: vec2<u32>;
+    var phi_732_: bool;
+    var phi_733_: bool;
+    var phi_734_: bool;
+    var phi_735_: vec2<u32>;
+    var phi_736_: bool;
+    var phi_737_: bool;
+    var phi_738_: bool;
+    var phi_739_: bool;
+    var phi_740_: bool;
+    var phi_741_: bool;
+    var phi_742_: vec2<u32>;
+    var phi_743_: bool;
+    var phi_744_: bool;
+    var phi_745_: bool;
+    var phi_746_: bool;
+    var phi_747_: bool;
+    var phi_748_: bool;
+    var phi_749_: vec2<u32>;
+    var phi_750_: bool;
+    var phi_751_: bool;
+    var phi_752_: bool;
+    var phi_753_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
     var phi_764_: bool;
-    var phi_768_: bool;
-    var phi_769_: lt_mask_Reprojection;
-    var phi_797_: u32;
-    var phi_799_: u32;
-    var phi_802_: lt_mask_Neighbourhood;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_824_: u32;
-    var phi_825_: u32;
-    var phi_885_: vec2<i32>;
-    var phi_905_: vec2<i32>;
-    var phi_928_: u32;
-    var phi_945_: bool;
-    var phi_946_: bool;
-    var phi_953_: bool;
-    var phi_954_: bool;
-    var phi_972_: bool;
-    var phi_973_: bool;
-    var phi_974_: bool;
-    var phi_800_: u32;
-    var phi_803_: lt_mask_Neighbourhood;
-    var phi_977_: lt_mask_Neighbourhood;
-    var phi_978_: lt_mask_Neighbourhood;
-    var phi_979_: lt_mask_Neighbourhood;
-    var phi_1004_: bool;
+    var phi_765_: bool;
+    var phi_769_: bool;
+    var phi_770_: bool;
+    var phi_771_: vec2<u32>;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_813_: bool;
+    var phi_814_: lt_mask_Reprojection;
+    var phi_815_: lt_mask_Reprojection;
+    var phi_816_: bool;
+    var phi_820_: bool;
+    var phi_821_: lt_mask_Reprojection;
+    var phi_849_: u32;
+    var phi_851_: u32;
+    var phi_854_: lt_mask_Neighbourhood;
+    var phi_866_: bool;
+    var phi_867_: bool;
+    var phi_876_: u32;
+    var phi_877_: u32;
+    var phi_937_: vec2<i32>;
+    var phi_957_: vec2<i32>;
+    var phi_980_: u32;
+    var phi_997_: bool;
+    var phi_998_: bool;
     var phi_1005_: bool;
-    var phi_1018_: bool;
-    var phi_1019_: bool;
-    var phi_1020_: bool;
-    var phi_1027_: u32;
-    var phi_1028_: u32;
-    var phi_1029_: u32;
-    var phi_1030_: u32;
-    var phi_1031_: u32;
-    var phi_1039_: bool;
-    var phi_1047_: u32;
-    var phi_1052_: u32;
-    var phi_1056_: u32;
-    var phi_1057_: u32;
-    var phi_1061_: f32;
-    var phi_1063_: mask_Masked;
-    var phi_1069_: bool;
-    var phi_1070_: u32;
+    var phi_1006_: bool;
+    var phi_1024_: bool;
+    var phi_1025_: bool;
+    var phi_1026_: bool;
+    var phi_852_: u32;
+    var phi_855_: lt_mask_Neighbourhood;
+    var phi_1029_: lt_mask_Neighbourhood;
+    var phi_1030_: lt_mask_Neighbourhood;
+    var phi_1031_: lt_mask_Neighbourhood;
+    var phi_1056_: bool;
+    var phi_1057_: bool;
+    var phi_1070_: bool;
+    var phi_1071_: bool;
+    var phi_1072_: bool;
+    var phi_1079_: u32;
+    var phi_1080_: u32;
     var phi_1081_: u32;
+    var phi_1082_: u32;
+    var phi_1083_: u32;
+    var phi_1091_: bool;
+    var phi_1099_: u32;
+    var phi_1104_: u32;
+    var phi_1108_: u32;
+    var phi_1109_: u32;
+    var phi_1113_: f32;
+    var phi_1115_: mask_Masked;
+    var phi_1121_: bool;
+    var phi_1122_: u32;
+    var phi_1133_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e52 = id_1;
@@ -378,658 +393,697 @@ fn function_() {
         let _e77 = p.member.current.size[0u];
         let _e80 = past.member[_e69.first_primitive];
         let _e85 = visibility.member[_e69.first_primitive];
-        let _e89 = p.member.light;
-        let _e92 = samples.member[_e69.first_primitive].normal[0u];
-        let _e94 = global[0u];
-        if (_e92 == _e94) {
-            let _e97 = samples.member[_e69.first_primitive].normal[1u];
-            let _e99 = global[1u];
-            if (_e97 == _e99) {
-                let _e102 = samples.member[_e69.first_primitive].normal[2u];
-                let _e104 = global[2u];
-                phi_338_ = (_e102 == _e104);
-                phi_339_ = false;
+        let _e91 = samples.member[_e69.first_primitive].normal[0u];
+        let _e93 = global[0u];
+        if (_e91 == _e93) {
+            let _e96 = samples.member[_e69.first_primitive].normal[1u];
+            let _e98 = global[1u];
+            if (_e96 == _e98) {
+                let _e101 = samples.member[_e69.first_primitive].normal[2u];
+                let _e103 = global[2u];
+                phi_342_ = (_e101 == _e103);
+                phi_343_ = false;
             } else {
-                phi_338_ = bool();
-                phi_339_ = true;
+                phi_342_ = bool();
+                phi_343_ = true;
             }
-            let _e107 = phi_338_;
-            let _e109 = phi_339_;
-            phi_340_ = _e107;
-            phi_341_ = _e109;
+            let _e106 = phi_342_;
+            let _e108 = phi_343_;
+            phi_344_ = _e106;
+            phi_345_ = _e108;
         } else {
-            phi_340_ = bool();
-            phi_341_ = true;
+            phi_344_ = bool();
+            phi_345_ = true;
         }
-        let _e111 = phi_340_;
-        let _e113 = phi_341_;
-        if _e113 {
-            phi_345_ = false;
+        let _e110 = phi_344_;
+        let _e112 = phi_345_;
+        if _e112 {
+            phi_349_ = false;
         } else {
-            phi_345_ = _e111;
+            phi_349_ = _e110;
         }
-        let _e115 = phi_345_;
-        if !(_e115) {
-            let _e118 = samples.member[_e69.first_primitive].normal;
-            let _e120 = samples.member[_e69.first_primitive].position;
-            if ((((_e118.x * (_e89.x - (_e120.x * _e89.w))) + (_e118.y * (_e89.y - (_e120.y * _e89.w)))) + (_e118.z * (_e89.z - (_e120.z * _e89.w)))) > 0f) {
-                let _e144 = samples.member[_e69.first_primitive].flags;
-                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e152.unnamed.visibility, false), _e152.unnamed_1);
-                phi_389_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e158.unnamed, ((_e144 & 1u) == 0u));
-            } else {
-                let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-                phi_389_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
-            }
-            let _e178 = phi_389_;
-            phi_393_ = _e178;
-        } else {
-            let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e184.unnamed.visibility, false), _e184.unnamed_1);
-            phi_393_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e190.unnamed, true);
-        }
-        let _e195 = phi_393_;
-        if _e195.unnamed_1 {
-            phi_1063_ = mask_Masked(_e195.unnamed.visibility, 0u, false);
-        } else {
-            let _e200 = (_e85 < 0.5f);
-            if (_e85 > 0f) {
-                phi_406_ = (_e85 < 1f);
-            } else {
-                phi_406_ = false;
-            }
-            let _e204 = phi_406_;
-            let _e206 = samples.member[_e69.first_primitive].position;
-            let _e210 = p.member.previous.eye;
-            let _e212 = (_e80.x - _e210.x);
-            let _e214 = (_e80.y - _e210.y);
-            let _e216 = (_e80.z - _e210.z);
-            let _e218 = p.member.previous.forward;
-            let _e226 = (((_e212 * _e218.x) + (_e214 * _e218.y)) + (_e216 * _e218.z));
-            let _e228 = p.member.previous.right;
-            let _e238 = p.member.previous.right;
-            let _e253 = p.member.previous.up;
-            let _e263 = p.member.previous.up;
-            let _e278 = p.member.current.eye;
-            let _e281 = (_e206.x - _e278.x);
-            let _e284 = (_e206.y - _e278.y);
-            let _e287 = (_e206.z - _e278.z);
-            let _e289 = p.member.current.forward;
-            let _e297 = (((_e281 * _e289.x) + (_e284 * _e289.y)) + (_e287 * _e289.z));
-            let _e299 = p.member.current.right;
-            let _e309 = p.member.current.right;
-            let _e324 = p.member.current.up;
-            let _e334 = p.member.current.up;
-            let _e353 = p.member.current.size[0u];
-            let _e355 = (((((((_e212 * _e228.x) + (_e214 * _e228.y)) + (_e216 * _e228.z)) / ((((_e238.x * _e238.x) + (_e238.y * _e238.y)) + (_e238.z * _e238.z)) * _e226)) - ((((_e281 * _e299.x) + (_e284 * _e299.y)) + (_e287 * _e299.z)) / ((((_e309.x * _e309.x) + (_e309.y * _e309.y)) + (_e309.z * _e309.z)) * _e297))) * 0.5f) * f32(_e353));
-            let _e359 = p.member.current.size[1u];
-            let _e361 = (((((((_e212 * _e253.x) + (_e214 * _e253.y)) + (_e216 * _e253.z)) / ((((_e263.x * _e263.x) + (_e263.y * _e263.y)) + (_e263.z * _e263.z)) * _e226)) - ((((_e281 * _e324.x) + (_e284 * _e324.y)) + (_e287 * _e324.z)) / ((((_e334.x * _e334.x) + (_e334.y * _e334.y)) + (_e334.z * _e334.z)) * _e297))) * -0.5f) * f32(_e359));
-            let _e365 = p.member.current.size[0u];
-            let _e367 = p.member.current.size[1u];
-            let _e371 = ((f32(_e52.x) + 0.5f) + _e355);
-            if (_e371 > -8388608f) {
-                let _e383 = f32(select(0i, select(select(i32(_e371), i32(-2147483648), (_e371 < bitcast<f32>(3472883712u))), 2147483647i, (_e371 > bitcast<f32>(1325400063u))), (_e371 == _e371)));
-                if (_e383 > _e371) {
-                    phi_592_ = 1f;
+        let _e114 = phi_349_;
+        if !(_e114) {
+            let _e117 = samples.member[_e69.first_primitive].position;
+            let _e119 = p.member.light.place;
+            let _e125 = p.member.light.place[3u];
+            let _e132 = (_e119.x - (_e117.x * _e125));
+            let _e133 = (_e119.y - (_e117.y * _e125));
+            let _e134 = (_e119.z - (_e117.z * _e125));
+            let _e136 = samples.member[_e69.first_primitive].normal;
+            if ((((_e136.x * _e132) + (_e136.y * _e133)) + (_e136.z * _e134)) > 0f) {
+                let _e150 = (((_e132 * _e132) + (_e133 * _e133)) + (_e134 * _e134));
+                let _e152 = p.member.light.axis;
+                let _e164 = p.member.light.place[3u];
+                if (_e164 == 0f) {
+                    phi_420_ = true;
                 } else {
-                    phi_592_ = 0f;
-                }
-                let _e386 = phi_592_;
-                if (_e371 < 8388608f) {
-                    phi_597_ = (_e383 - _e386);
-                    phi_598_ = false;
-                } else {
-                    phi_597_ = f32();
-                    phi_598_ = true;
-                }
-                let _e389 = phi_597_;
-                let _e391 = phi_598_;
-                phi_599_ = _e389;
-                phi_600_ = _e391;
-            } else {
-                phi_599_ = f32();
-                phi_600_ = true;
-            }
-            let _e393 = phi_599_;
-            let _e395 = phi_600_;
-            if _e395 {
-                phi_604_ = _e371;
-            } else {
-                phi_604_ = _e393;
-            }
-            let _e397 = phi_604_;
-            let _e400 = ((f32(_e52.y) + 0.5f) + _e361);
-            if (_e400 > -8388608f) {
-                let _e412 = f32(select(0i, select(select(i32(_e400), i32(-2147483648), (_e400 < bitcast<f32>(3472883712u))), 2147483647i, (_e400 > bitcast<f32>(1325400063u))), (_e400 == _e400)));
-                if (_e412 > _e400) {
-                    phi_627_ = 1f;
-                } else {
-                    phi_627_ = 0f;
-                }
-                let _e415 = phi_627_;
-                if (_e400 < 8388608f) {
-                    phi_632_ = (_e412 - _e415);
-                    phi_633_ = false;
-                } else {
-                    phi_632_ = f32();
-                    phi_633_ = true;
-                }
-                let _e418 = phi_632_;
-                let _e420 = phi_633_;
-                phi_634_ = _e418;
-                phi_635_ = _e420;
-            } else {
-                phi_634_ = f32();
-                phi_635_ = true;
-            }
-            let _e422 = phi_634_;
-            let _e424 = phi_635_;
-            if _e424 {
-                phi_639_ = _e400;
-            } else {
-                phi_639_ = _e422;
-            }
-            let _e426 = phi_639_;
-            if (_e397 >= 0f) {
-                if (_e426 >= 0f) {
-                    if (_e397 < f32(_e365)) {
-                        let _e432 = (_e426 < f32(_e367));
-                        if (_e355 == 0f) {
-                            phi_660_ = (_e361 == 0f);
-                        } else {
-                            phi_660_ = false;
-                        }
-                        let _e436 = phi_660_;
-                        if _e432 {
-                            phi_679_ = vec2<u32>(select(select(u32(_e397), 0u, (_e397 < bitcast<f32>(0u))), 4294967295u, (_e397 > bitcast<f32>(1333788671u))), select(select(u32(_e426), 0u, (_e426 < bitcast<f32>(0u))), 4294967295u, (_e426 > bitcast<f32>(1333788671u))));
-                            phi_680_ = false;
-                        } else {
-                            phi_679_ = vec2<u32>();
-                            phi_680_ = true;
-                        }
-                        let _e453 = phi_679_;
-                        let _e455 = phi_680_;
-                        phi_681_ = _e436;
-                        phi_682_ = _e432;
-                        phi_683_ = _e453;
-                        phi_684_ = _e436;
-                        phi_685_ = _e432;
-                        phi_686_ = false;
-                        phi_687_ = _e455;
+                    let _e167 = p.member.light.range_squared;
+                    if (_e150 <= _e167) {
+                        let _e170 = p.member.light.cos_outer;
+                        phi_419_ = (-((((_e132 * _e152.x) + (_e133 * _e152.y)) + (_e134 * _e152.z))) >= (_e170 * sqrt(_e150)));
                     } else {
-                        phi_681_ = bool();
-                        phi_682_ = bool();
-                        phi_683_ = vec2<u32>();
-                        phi_684_ = bool();
-                        phi_685_ = bool();
-                        phi_686_ = true;
-                        phi_687_ = false;
+                        phi_419_ = false;
                     }
-                    let _e457 = phi_681_;
-                    let _e459 = phi_682_;
-                    let _e461 = phi_683_;
-                    let _e463 = phi_684_;
-                    let _e465 = phi_685_;
-                    let _e467 = phi_686_;
-                    let _e469 = phi_687_;
-                    phi_688_ = _e457;
-                    phi_689_ = _e459;
-                    phi_690_ = _e461;
-                    phi_691_ = _e463;
-                    phi_692_ = _e465;
-                    phi_693_ = _e467;
-                    phi_694_ = _e469;
-                } else {
-                    phi_688_ = bool();
-                    phi_689_ = bool();
-                    phi_690_ = vec2<u32>();
-                    phi_691_ = bool();
-                    phi_692_ = bool();
-                    phi_693_ = true;
-                    phi_694_ = false;
+                    let _e175 = phi_419_;
+                    phi_420_ = _e175;
                 }
-                let _e471 = phi_688_;
-                let _e473 = phi_689_;
-                let _e475 = phi_690_;
-                let _e477 = phi_691_;
-                let _e479 = phi_692_;
-                let _e481 = phi_693_;
-                let _e483 = phi_694_;
-                phi_695_ = _e471;
-                phi_696_ = _e473;
-                phi_697_ = _e475;
-                phi_698_ = _e477;
-                phi_699_ = _e479;
-                phi_700_ = _e481;
-                phi_701_ = _e483;
-            } else {
-                phi_695_ = bool();
-                phi_696_ = bool();
-                phi_697_ = vec2<u32>();
-                phi_698_ = bool();
-                phi_699_ = bool();
-                phi_700_ = true;
-                phi_701_ = false;
-            }
-            let _e485 = phi_695_;
-            let _e487 = phi_696_;
-            let _e489 = phi_697_;
-            let _e491 = phi_698_;
-            let _e493 = phi_699_;
-            let _e495 = phi_700_;
-            let _e497 = phi_701_;
-            if _e495 {
-                if (_e355 == 0f) {
-                    phi_710_ = (_e361 == 0f);
+                let _e177 = phi_420_;
+                if _e177 {
+                    let _e179 = samples.member[_e69.first_primitive].flags;
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e187.unnamed.visibility, false), _e187.unnamed_1);
+                    phi_431_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e193.unnamed, ((_e179 & 1u) == 0u));
+                    phi_432_ = false;
                 } else {
-                    phi_710_ = false;
+                    phi_431_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_432_ = true;
                 }
-                let _e501 = phi_710_;
-                phi_711_ = _e501;
-                phi_712_ = false;
-                phi_713_ = true;
+                let _e198 = phi_431_;
+                let _e200 = phi_432_;
+                phi_433_ = _e198;
+                phi_434_ = _e200;
             } else {
-                phi_711_ = _e491;
-                phi_712_ = _e493;
-                phi_713_ = _e497;
+                phi_433_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_434_ = true;
             }
-            let _e503 = phi_711_;
-            let _e505 = phi_712_;
-            let _e507 = phi_713_;
-            if _e507 {
-                phi_717_ = _e503;
-                phi_718_ = _e505;
-                phi_719_ = vec2<u32>(_e52.x, _e52.y);
-            } else {
-                phi_717_ = _e485;
-                phi_718_ = _e487;
-                phi_719_ = _e489;
-            }
-            let _e509 = phi_717_;
-            let _e511 = phi_718_;
-            let _e513 = phi_719_;
-            let _e523 = lt_mask_Reprojection(vec2<u32>(_e513.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e530 = lt_mask_Reprojection(vec2<u32>(_e523.pixel.x, _e513.y), _e523.is_valid, _e523.has_moved);
-            let _e534 = lt_mask_Reprojection(_e530.pixel, _e511, _e530.has_moved);
-            let _e538 = lt_mask_Reprojection(_e534.pixel, _e534.is_valid, !(_e509));
-            if _e511 {
-                let _e541 = p.member.previous.eye;
-                let _e549 = p.member.previous.forward;
-                let _e558 = (((((_e80.x - _e541.x) * _e549.x) + ((_e80.y - _e541.y) * _e549.y)) + ((_e80.z - _e541.z) * _e549.z)) > 0f);
-                let _e562 = lt_mask_Reprojection(_e538.pixel, _e558, _e538.has_moved);
-                if _e558 {
-                    let _e564 = p.member.flags;
-                    phi_758_ = ((_e564 & 1u) != 0u);
-                    phi_759_ = false;
-                } else {
-                    phi_758_ = bool();
-                    phi_759_ = true;
-                }
-                let _e568 = phi_758_;
-                let _e570 = phi_759_;
-                phi_761_ = _e568;
-                phi_762_ = _e562;
-                phi_763_ = _e562;
-                phi_764_ = _e570;
-            } else {
-                phi_761_ = bool();
-                phi_762_ = lt_mask_Reprojection();
-                phi_763_ = lt_mask_Reprojection(_e538.pixel, false, _e538.has_moved);
-                phi_764_ = true;
-            }
-            let _e576 = phi_761_;
-            let _e578 = phi_762_;
-            let _e580 = phi_763_;
-            let _e582 = phi_764_;
-            if _e582 {
-                phi_768_ = false;
-                phi_769_ = _e580;
-            } else {
-                phi_768_ = _e576;
-                phi_769_ = _e578;
-            }
-            let _e584 = phi_768_;
-            let _e586 = phi_769_;
-            let _e590 = lt_mask_Reprojection(_e586.pixel, _e584, _e586.has_moved);
-            if _e590.has_moved {
-            }
-            let _e596 = lt_mask_Neighbourhood(false, true);
+            let _e202 = phi_433_;
+            let _e204 = phi_434_;
             if _e204 {
-                phi_979_ = _e596;
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
+                phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
+            } else {
+                phi_441_ = _e202;
+            }
+            let _e221 = phi_441_;
+            phi_445_ = _e221;
+        } else {
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e227.unnamed.visibility, false), _e227.unnamed_1);
+            phi_445_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e233.unnamed, true);
+        }
+        let _e238 = phi_445_;
+        if _e238.unnamed_1 {
+            phi_1115_ = mask_Masked(_e238.unnamed.visibility, 0u, false);
+        } else {
+            let _e243 = (_e85 < 0.5f);
+            if (_e85 > 0f) {
+                phi_458_ = (_e85 < 1f);
+            } else {
+                phi_458_ = false;
+            }
+            let _e247 = phi_458_;
+            let _e249 = samples.member[_e69.first_primitive].position;
+            let _e253 = p.member.previous.eye;
+            let _e255 = (_e80.x - _e253.x);
+            let _e257 = (_e80.y - _e253.y);
+            let _e259 = (_e80.z - _e253.z);
+            let _e261 = p.member.previous.forward;
+            let _e269 = (((_e255 * _e261.x) + (_e257 * _e261.y)) + (_e259 * _e261.z));
+            let _e271 = p.member.previous.right;
+            let _e281 = p.member.previous.right;
+            let _e296 = p.member.previous.up;
+            let _e306 = p.member.previous.up;
+            let _e321 = p.member.current.eye;
+            let _e324 = (_e249.x - _e321.x);
+            let _e327 = (_e249.y - _e321.y);
+            let _e330 = (_e249.z - _e321.z);
+            let _e332 = p.member.current.forward;
+            let _e340 = (((_e324 * _e332.x) + (_e327 * _e332.y)) + (_e330 * _e332.z));
+            let _e342 = p.member.current.right;
+            let _e352 = p.member.current.right;
+            let _e367 = p.member.current.up;
+            let _e377 = p.member.current.up;
+            let _e396 = p.member.current.size[0u];
+            let _e398 = (((((((_e255 * _e271.x) + (_e257 * _e271.y)) + (_e259 * _e271.z)) / ((((_e281.x * _e281.x) + (_e281.y * _e281.y)) + (_e281.z * _e281.z)) * _e269)) - ((((_e324 * _e342.x) + (_e327 * _e342.y)) + (_e330 * _e342.z)) / ((((_e352.x * _e352.x) + (_e352.y * _e352.y)) + (_e352.z * _e352.z)) * _e340))) * 0.5f) * f32(_e396));
+            let _e402 = p.member.current.size[1u];
+            let _e404 = (((((((_e255 * _e296.x) + (_e257 * _e296.y)) + (_e259 * _e296.z)) / ((((_e306.x * _e306.x) + (_e306.y * _e306.y)) + (_e306.z * _e306.z)) * _e269)) - ((((_e324 * _e367.x) + (_e327 * _e367.y)) + (_e330 * _e367.z)) / ((((_e377.x * _e377.x) + (_e377.y * _e377.y)) + (_e377.z * _e377.z)) * _e340))) * -0.5f) * f32(_e402));
+            let _e408 = p.member.current.size[0u];
+            let _e410 = p.member.current.size[1u];
+            let _e414 = ((f32(_e52.x) + 0.5f) + _e398);
+            if (_e414 > -8388608f) {
+                let _e426 = f32(select(0i, select(select(i32(_e414), i32(-2147483648), (_e414 < bitcast<f32>(3472883712u))), 2147483647i, (_e414 > bitcast<f32>(1325400063u))), (_e414 == _e414)));
+                if (_e426 > _e414) {
+                    phi_644_ = 1f;
+                } else {
+                    phi_644_ = 0f;
+                }
+                let _e429 = phi_644_;
+                if (_e414 < 8388608f) {
+                    phi_649_ = (_e426 - _e429);
+                    phi_650_ = false;
+                } else {
+                    phi_649_ = f32();
+                    phi_650_ = true;
+                }
+                let _e432 = phi_649_;
+                let _e434 = phi_650_;
+                phi_651_ = _e432;
+                phi_652_ = _e434;
+            } else {
+                phi_651_ = f32();
+                phi_652_ = true;
+            }
+            let _e436 = phi_651_;
+            let _e438 = phi_652_;
+            if _e438 {
+                phi_656_ = _e414;
+            } else {
+                phi_656_ = _e436;
+            }
+            let _e440 = phi_656_;
+            let _e443 = ((f32(_e52.y) + 0.5f) + _e404);
+            if (_e443 > -8388608f) {
+                let _e455 = f32(select(0i, select(select(i32(_e443), i32(-2147483648), (_e443 < bitcast<f32>(3472883712u))), 2147483647i, (_e443 > bitcast<f32>(1325400063u))), (_e443 == _e443)));
+                if (_e455 > _e443) {
+                    phi_679_ = 1f;
+                } else {
+                    phi_679_ = 0f;
+                }
+                let _e458 = phi_679_;
+                if (_e443 < 8388608f) {
+                    phi_684_ = (_e455 - _e458);
+                    phi_685_ = false;
+                } else {
+                    phi_684_ = f32();
+                    phi_685_ = true;
+                }
+                let _e461 = phi_684_;
+                let _e463 = phi_685_;
+                phi_686_ = _e461;
+                phi_687_ = _e463;
+            } else {
+                phi_686_ = f32();
+                phi_687_ = true;
+            }
+            let _e465 = phi_686_;
+            let _e467 = phi_687_;
+            if _e467 {
+                phi_691_ = _e443;
+            } else {
+                phi_691_ = _e465;
+            }
+            let _e469 = phi_691_;
+            if (_e440 >= 0f) {
+                if (_e469 >= 0f) {
+                    if (_e440 < f32(_e408)) {
+                        let _e475 = (_e469 < f32(_e410));
+                        if (_e398 == 0f) {
+                            phi_712_ = (_e404 == 0f);
+                        } else {
+                            phi_712_ = false;
+                        }
+                        let _e479 = phi_712_;
+                        if _e475 {
+                            phi_731_ = vec2<u32>(select(select(u32(_e440), 0u, (_e440 < bitcast<f32>(0u))), 4294967295u, (_e440 > bitcast<f32>(1333788671u))), select(select(u32(_e469), 0u, (_e469 < bitcast<f32>(0u))), 4294967295u, (_e469 > bitcast<f32>(1333788671u))));
+                            phi_732_ = false;
+                        } else {
+                            phi_731_ = vec2<u32>();
+                            phi_732_ = true;
+                        }
+                        let _e496 = phi_731_;
+                        let _e498 = phi_732_;
+                        phi_733_ = _e479;
+                        phi_734_ = _e475;
+                        phi_735_ = _e496;
+                        phi_736_ = _e479;
+                        phi_737_ = _e475;
+                        phi_738_ = false;
+                        phi_739_ = _e498;
+                    } else {
+                        phi_733_ = bool();
+                        phi_734_ = bool();
+                        phi_735_ = vec2<u32>();
+                        phi_736_ = bool();
+                        phi_737_ = bool();
+                        phi_738_ = true;
+                        phi_739_ = false;
+                    }
+                    let _e500 = phi_733_;
+                    let _e502 = phi_734_;
+                    let _e504 = phi_735_;
+                    let _e506 = phi_736_;
+                    let _e508 = phi_737_;
+                    let _e510 = phi_738_;
+                    let _e512 = phi_739_;
+                    phi_740_ = _e500;
+                    phi_741_ = _e502;
+                    phi_742_ = _e504;
+                    phi_743_ = _e506;
+                    phi_744_ = _e508;
+                    phi_745_ = _e510;
+                    phi_746_ = _e512;
+                } else {
+                    phi_740_ = bool();
+                    phi_741_ = bool();
+                    phi_742_ = vec2<u32>();
+                    phi_743_ = bool();
+                    phi_744_ = bool();
+                    phi_745_ = true;
+                    phi_746_ = false;
+                }
+                let _e514 = phi_740_;
+                let _e516 = phi_741_;
+                let _e518 = phi_742_;
+                let _e520 = phi_743_;
+                let _e522 = phi_744_;
+                let _e524 = phi_745_;
+                let _e526 = phi_746_;
+                phi_747_ = _e514;
+                phi_748_ = _e516;
+                phi_749_ = _e518;
+                phi_750_ = _e520;
+                phi_751_ = _e522;
+                phi_752_ = _e524;
+                phi_753_ = _e526;
+            } else {
+                phi_747_ = bool();
+                phi_748_ = bool();
+                phi_749_ = vec2<u32>();
+                phi_750_ = bool();
+                phi_751_ = bool();
+                phi_752_ = true;
+                phi_753_ = false;
+            }
+            let _e528 = phi_747_;
+            let _e530 = phi_748_;
+            let _e532 = phi_749_;
+            let _e534 = phi_750_;
+            let _e536 = phi_751_;
+            let _e538 = phi_752_;
+            let _e540 = phi_753_;
+            if _e538 {
+                if (_e398 == 0f) {
+                    phi_762_ = (_e404 == 0f);
+                } else {
+                    phi_762_ = false;
+                }
+                let _e544 = phi_762_;
+                phi_763_ = _e544;
+                phi_764_ = false;
+                phi_765_ = true;
+            } else {
+                phi_763_ = _e534;
+                phi_764_ = _e536;
+                phi_765_ = _e540;
+            }
+            let _e546 = phi_763_;
+            let _e548 = phi_764_;
+            let _e550 = phi_765_;
+            if _e550 {
+                phi_769_ = _e546;
+                phi_770_ = _e548;
+                phi_771_ = vec2<u32>(_e52.x, _e52.y);
+            } else {
+                phi_769_ = _e528;
+                phi_770_ = _e530;
+                phi_771_ = _e532;
+            }
+            let _e552 = phi_769_;
+            let _e554 = phi_770_;
+            let _e556 = phi_771_;
+            let _e566 = lt_mask_Reprojection(vec2<u32>(_e556.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e573 = lt_mask_Reprojection(vec2<u32>(_e566.pixel.x, _e556.y), _e566.is_valid, _e566.has_moved);
+            let _e577 = lt_mask_Reprojection(_e573.pixel, _e554, _e573.has_moved);
+            let _e581 = lt_mask_Reprojection(_e577.pixel, _e577.is_valid, !(_e552));
+            if _e554 {
+                let _e584 = p.member.previous.eye;
+                let _e592 = p.member.previous.forward;
+                let _e601 = (((((_e80.x - _e584.x) * _e592.x) + ((_e80.y - _e584.y) * _e592.y)) + ((_e80.z - _e584.z) * _e592.z)) > 0f);
+                let _e605 = lt_mask_Reprojection(_e581.pixel, _e601, _e581.has_moved);
+                if _e601 {
+                    let _e607 = p.member.flags;
+                    phi_810_ = ((_e607 & 1u) != 0u);
+                    phi_811_ = false;
+                } else {
+                    phi_810_ = bool();
+                    phi_811_ = true;
+                }
+                let _e611 = phi_810_;
+                let _e613 = phi_811_;
+                phi_813_ = _e611;
+                phi_814_ = _e605;
+                phi_815_ = _e605;
+                phi_816_ = _e613;
+            } else {
+                phi_813_ = bool();
+                phi_814_ = lt_mask_Reprojection();
+                phi_815_ = lt_mask_Reprojection(_e581.pixel, false, _e581.has_moved);
+                phi_816_ = true;
+            }
+            let _e619 = phi_813_;
+            let _e621 = phi_814_;
+            let _e623 = phi_815_;
+            let _e625 = phi_816_;
+            if _e625 {
+                phi_820_ = false;
+                phi_821_ = _e623;
+            } else {
+                phi_820_ = _e619;
+                phi_821_ = _e621;
+            }
+            let _e627 = phi_820_;
+            let _e629 = phi_821_;
+            let _e633 = lt_mask_Reprojection(_e629.pixel, _e627, _e629.has_moved);
+            if _e633.has_moved {
+            }
+            let _e639 = lt_mask_Neighbourhood(false, true);
+            if _e247 {
+                phi_1031_ = _e639;
             } else {
                 if true {
-                    if _e584 {
-                        if _e590.has_moved {
-                            let _e599 = p.member.moving_pattern;
-                            phi_797_ = _e599;
+                    if _e627 {
+                        if _e633.has_moved {
+                            let _e642 = p.member.moving_pattern;
+                            phi_849_ = _e642;
                         } else {
-                            let _e601 = p.member.still_pattern;
-                            phi_797_ = _e601;
+                            let _e644 = p.member.still_pattern;
+                            phi_849_ = _e644;
                         }
-                        let _e603 = phi_797_;
-                        phi_799_ = 0u;
-                        phi_802_ = _e596;
+                        let _e646 = phi_849_;
+                        phi_851_ = 0u;
+                        phi_854_ = _e639;
                         loop {
-                            let _e605 = phi_799_;
-                            let _e607 = phi_802_;
-                            local_1 = _e607;
-                            if (1u <= _e603) {
-                                if (_e603 <= 4u) {
-                                    phi_814_ = false;
+                            let _e648 = phi_851_;
+                            let _e650 = phi_854_;
+                            local_1 = _e650;
+                            if (1u <= _e646) {
+                                if (_e646 <= 4u) {
+                                    phi_866_ = false;
                                 } else {
-                                    phi_814_ = true;
+                                    phi_866_ = true;
                                 }
-                                let _e611 = phi_814_;
-                                phi_815_ = _e611;
+                                let _e654 = phi_866_;
+                                phi_867_ = _e654;
                             } else {
-                                phi_815_ = true;
+                                phi_867_ = true;
                             }
-                            let _e613 = phi_815_;
-                            if _e613 {
-                                switch bitcast<i32>(_e603) {
+                            let _e656 = phi_867_;
+                            if _e656 {
+                                switch bitcast<i32>(_e646) {
                                     case 5: {
-                                        phi_824_ = 4u;
+                                        phi_876_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_824_ = 25u;
+                                        phi_876_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_824_ = 13u;
+                                        phi_876_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_824_ = 9u;
+                                        phi_876_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e616 = phi_824_;
-                                phi_825_ = _e616;
+                                let _e659 = phi_876_;
+                                phi_877_ = _e659;
                             } else {
-                                phi_825_ = 5u;
+                                phi_877_ = 5u;
                             }
-                            let _e618 = phi_825_;
-                            let _e619 = (_e605 < _e618);
-                            if _e619 {
-                                let _e625 = p.member.frame;
-                                let _e629 = p.member.current.size[0u];
-                                let _e631 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e603) {
+                            let _e661 = phi_877_;
+                            let _e662 = (_e648 < _e661);
+                            if _e662 {
+                                let _e668 = p.member.frame;
+                                let _e672 = p.member.current.size[0u];
+                                let _e674 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e646) {
                                     case 1: {
-                                        let _e641 = lt_mask_pattern_plus(_e605);
-                                        phi_905_ = vec2<i32>(_e641.x, _e641.y);
+                                        let _e684 = lt_mask_pattern_plus(_e648);
+                                        phi_957_ = vec2<i32>(_e684.x, _e684.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e645 = lt_mask_pattern_cross(_e605);
-                                        phi_905_ = vec2<i32>(_e645.x, _e645.y);
+                                        let _e688 = lt_mask_pattern_cross(_e648);
+                                        phi_957_ = vec2<i32>(_e688.x, _e688.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e651 = lt_mask_pattern_plus_or_cross(_e605, ((_e590.pixel.x + _e590.pixel.y) & 1u));
-                                        phi_905_ = vec2<i32>(_e651.x, _e651.y);
+                                        let _e694 = lt_mask_pattern_plus_or_cross(_e648, ((_e633.pixel.x + _e633.pixel.y) & 1u));
+                                        phi_957_ = vec2<i32>(_e694.x, _e694.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e656 = lt_mask_pattern_plus_or_cross(_e605, (_e625 & 1u));
-                                        phi_905_ = vec2<i32>(_e656.x, _e656.y);
+                                        let _e699 = lt_mask_pattern_plus_or_cross(_e648, (_e668 & 1u));
+                                        phi_957_ = vec2<i32>(_e699.x, _e699.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e625 & 3u)) {
+                                        switch bitcast<i32>((_e668 & 3u)) {
                                             case 0: {
-                                                phi_885_ = vec2(-1i);
+                                                phi_937_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_885_ = vec2(0i);
+                                                phi_937_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_885_ = vec2<i32>(0i, -1i);
+                                                phi_937_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_885_ = vec2<i32>(-1i, 0i);
+                                                phi_937_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e667 = phi_885_;
-                                        phi_905_ = (_e667 + vec2<i32>(bitcast<i32>((_e605 & 1u)), bitcast<i32>(((_e605 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e710 = phi_937_;
+                                        phi_957_ = (_e710 + vec2<i32>(bitcast<i32>((_e648 & 1u)), bitcast<i32>(((_e648 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_905_ = vec2<i32>((bitcast<i32>((_e605 % 5u)) - 2i), (bitcast<i32>(((_e605 / 5u) % 5u)) - 2i));
+                                        phi_957_ = vec2<i32>((bitcast<i32>((_e648 % 5u)) - 2i), (bitcast<i32>(((_e648 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e684 = lt_mask_pattern_diamond(_e605);
-                                        phi_905_ = vec2<i32>(_e684.x, _e684.y);
+                                        let _e727 = lt_mask_pattern_diamond(_e648);
+                                        phi_957_ = vec2<i32>(_e727.x, _e727.y);
                                         break;
                                     }
                                     default: {
-                                        phi_905_ = vec2<i32>((bitcast<i32>((_e605 % 3u)) - 1i), (bitcast<i32>(((_e605 / 3u) % 3u)) - 1i));
+                                        phi_957_ = vec2<i32>((bitcast<i32>((_e648 % 3u)) - 1i), (bitcast<i32>(((_e648 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e689 = phi_905_;
-                                let _e692 = lt_mask_pattern_step_clamped(_e590.pixel.x, _e689.x, _e629);
-                                let _e693 = lt_mask_pattern_step_clamped(_e590.pixel.y, _e689.y, _e631);
-                                let _e695 = ((_e693 * _e77) + _e692);
-                                if (_e695 < arrayLength((&last_bits.member))) {
+                                let _e732 = phi_957_;
+                                let _e735 = lt_mask_pattern_step_clamped(_e633.pixel.x, _e732.x, _e672);
+                                let _e736 = lt_mask_pattern_step_clamped(_e633.pixel.y, _e732.y, _e674);
+                                let _e738 = ((_e736 * _e77) + _e735);
+                                if (_e738 < arrayLength((&last_bits.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e699 = last_bits.member[(0u + _e695)];
-                                if ((_e699 & 2u) == 0u) {
-                                    phi_928_ = (_e699 & 1u);
+                                let _e742 = last_bits.member[(0u + _e738)];
+                                if ((_e742 & 2u) == 0u) {
+                                    phi_980_ = (_e742 & 1u);
                                 } else {
-                                    phi_928_ = (_e699 & 7u);
+                                    phi_980_ = (_e742 & 7u);
                                 }
-                                let _e705 = phi_928_;
-                                if _e607.any_expands {
-                                    phi_954_ = true;
+                                let _e748 = phi_980_;
+                                if _e650.any_expands {
+                                    phi_1006_ = true;
                                 } else {
-                                    if ((_e705 & 2u) != 0u) {
-                                        if (((_e705 & 4u) != 0u) != _e200) {
-                                            phi_945_ = false;
+                                    if ((_e748 & 2u) != 0u) {
+                                        if (((_e748 & 4u) != 0u) != _e243) {
+                                            phi_997_ = false;
                                         } else {
-                                            phi_945_ = true;
+                                            phi_997_ = true;
                                         }
-                                        let _e714 = phi_945_;
-                                        phi_946_ = _e714;
+                                        let _e757 = phi_997_;
+                                        phi_998_ = _e757;
                                     } else {
-                                        phi_946_ = true;
+                                        phi_998_ = true;
                                     }
-                                    let _e716 = phi_946_;
-                                    if _e716 {
-                                        phi_953_ = (((_e705 & 1u) != 0u) != _e200);
+                                    let _e759 = phi_998_;
+                                    if _e759 {
+                                        phi_1005_ = (((_e748 & 1u) != 0u) != _e243);
                                     } else {
-                                        phi_953_ = true;
+                                        phi_1005_ = true;
                                     }
-                                    let _e721 = phi_953_;
-                                    phi_954_ = _e721;
+                                    let _e764 = phi_1005_;
+                                    phi_1006_ = _e764;
                                 }
-                                let _e723 = phi_954_;
-                                if _e607.all_remove {
-                                    if (((_e705 & 1u) != 0u) == _e200) {
-                                        if ((_e705 & 2u) != 0u) {
-                                            phi_972_ = (((_e705 & 4u) != 0u) == _e200);
+                                let _e766 = phi_1006_;
+                                if _e650.all_remove {
+                                    if (((_e748 & 1u) != 0u) == _e243) {
+                                        if ((_e748 & 2u) != 0u) {
+                                            phi_1024_ = (((_e748 & 4u) != 0u) == _e243);
                                         } else {
-                                            phi_972_ = true;
+                                            phi_1024_ = true;
                                         }
-                                        let _e733 = phi_972_;
-                                        phi_973_ = _e733;
+                                        let _e776 = phi_1024_;
+                                        phi_1025_ = _e776;
                                     } else {
-                                        phi_973_ = false;
+                                        phi_1025_ = false;
                                     }
-                                    let _e735 = phi_973_;
-                                    phi_974_ = _e735;
+                                    let _e778 = phi_1025_;
+                                    phi_1026_ = _e778;
                                 } else {
-                                    phi_974_ = false;
+                                    phi_1026_ = false;
                                 }
-                                let _e737 = phi_974_;
-                                phi_800_ = (_e605 + 1u);
-                                phi_803_ = lt_mask_Neighbourhood(_e723, _e737);
+                                let _e780 = phi_1026_;
+                                phi_852_ = (_e648 + 1u);
+                                phi_855_ = lt_mask_Neighbourhood(_e766, _e780);
                             } else {
-                                phi_800_ = u32();
-                                phi_803_ = lt_mask_Neighbourhood();
+                                phi_852_ = u32();
+                                phi_855_ = lt_mask_Neighbourhood();
                             }
-                            let _e741 = phi_800_;
-                            let _e743 = phi_803_;
+                            let _e784 = phi_852_;
+                            let _e786 = phi_855_;
                             continue;
                             continuing {
-                                phi_799_ = _e741;
-                                phi_802_ = _e743;
-                                break if !(_e619);
+                                phi_851_ = _e784;
+                                phi_854_ = _e786;
+                                break if !(_e662);
                             }
                         }
-                        let _e901 = local_1;
-                        phi_977_ = _e901;
+                        let _e950 = local_1;
+                        phi_1029_ = _e950;
                     } else {
-                        phi_977_ = _e596;
+                        phi_1029_ = _e639;
                     }
-                    let _e746 = phi_977_;
-                    phi_978_ = _e746;
+                    let _e789 = phi_1029_;
+                    phi_1030_ = _e789;
                 } else {
-                    phi_978_ = _e596;
+                    phi_1030_ = _e639;
                 }
-                let _e748 = phi_978_;
-                phi_979_ = _e748;
+                let _e791 = phi_1030_;
+                phi_1031_ = _e791;
             }
-            let _e750 = phi_979_;
+            let _e793 = phi_1031_;
             if (_e85 != 0.5f) {
-                if _e584 {
-                    if _e204 {
-                        phi_1005_ = true;
+                if _e627 {
+                    if _e247 {
+                        phi_1057_ = true;
                     } else {
-                        if _e750.any_expands {
-                            phi_1004_ = false;
+                        if _e793.any_expands {
+                            phi_1056_ = false;
                         } else {
-                            phi_1004_ = true;
+                            phi_1056_ = true;
                         }
-                        let _e755 = phi_1004_;
-                        phi_1005_ = _e755;
+                        let _e798 = phi_1056_;
+                        phi_1057_ = _e798;
                     }
-                    let _e757 = phi_1005_;
-                    if _e757 {
-                        if _e204 {
+                    let _e800 = phi_1057_;
+                    if _e800 {
+                        if _e247 {
                             if false {
-                                if _e750.all_remove {
-                                    phi_1018_ = false;
+                                if _e793.all_remove {
+                                    phi_1070_ = false;
                                 } else {
-                                    phi_1018_ = true;
+                                    phi_1070_ = true;
                                 }
-                                let _e759 = phi_1018_;
-                                phi_1019_ = _e759;
+                                let _e802 = phi_1070_;
+                                phi_1071_ = _e802;
                             } else {
-                                phi_1019_ = true;
+                                phi_1071_ = true;
                             }
-                            let _e761 = phi_1019_;
-                            phi_1020_ = _e761;
+                            let _e804 = phi_1071_;
+                            phi_1072_ = _e804;
                         } else {
-                            phi_1020_ = true;
+                            phi_1072_ = true;
                         }
-                        let _e763 = phi_1020_;
-                        if _e763 {
-                            if _e204 {
-                                phi_1027_ = 1u;
+                        let _e806 = phi_1072_;
+                        if _e806 {
+                            if _e247 {
+                                phi_1079_ = 1u;
                             } else {
-                                phi_1027_ = 0u;
+                                phi_1079_ = 0u;
                             }
-                            let _e765 = phi_1027_;
-                            phi_1028_ = _e765;
+                            let _e808 = phi_1079_;
+                            phi_1080_ = _e808;
                         } else {
-                            phi_1028_ = 5u;
+                            phi_1080_ = 5u;
                         }
-                        let _e767 = phi_1028_;
-                        phi_1029_ = _e767;
+                        let _e810 = phi_1080_;
+                        phi_1081_ = _e810;
                     } else {
-                        phi_1029_ = 4u;
+                        phi_1081_ = 4u;
                     }
-                    let _e769 = phi_1029_;
-                    phi_1030_ = _e769;
+                    let _e812 = phi_1081_;
+                    phi_1082_ = _e812;
                 } else {
-                    phi_1030_ = 3u;
+                    phi_1082_ = 3u;
                 }
-                let _e771 = phi_1030_;
-                phi_1031_ = _e771;
+                let _e814 = phi_1082_;
+                phi_1083_ = _e814;
             } else {
-                phi_1031_ = 2u;
+                phi_1083_ = 2u;
             }
-            let _e773 = phi_1031_;
-            if !((_e773 == 0u)) {
-                phi_1039_ = !((_e773 == 5u));
+            let _e816 = phi_1083_;
+            if !((_e816 == 0u)) {
+                phi_1091_ = !((_e816 == 5u));
             } else {
-                phi_1039_ = false;
+                phi_1091_ = false;
             }
-            let _e779 = phi_1039_;
-            if _e779 {
-                if _e200 {
-                    phi_1047_ = (2u | 1u);
+            let _e822 = phi_1091_;
+            if _e822 {
+                if _e243 {
+                    phi_1099_ = (2u | 1u);
                 } else {
-                    phi_1047_ = 2u;
+                    phi_1099_ = 2u;
                 }
-                let _e782 = phi_1047_;
+                let _e825 = phi_1099_;
                 if false {
-                    phi_1052_ = (_e782 | 4u);
+                    phi_1104_ = (_e825 | 4u);
                 } else {
-                    phi_1052_ = _e782;
+                    phi_1104_ = _e825;
                 }
-                let _e785 = phi_1052_;
-                phi_1057_ = _e785;
+                let _e828 = phi_1104_;
+                phi_1109_ = _e828;
             } else {
-                if _e200 {
-                    phi_1056_ = 1u;
+                if _e243 {
+                    phi_1108_ = 1u;
                 } else {
-                    phi_1056_ = 0u;
+                    phi_1108_ = 0u;
                 }
-                let _e787 = phi_1056_;
-                phi_1057_ = _e787;
+                let _e830 = phi_1108_;
+                phi_1109_ = _e830;
             }
-            let _e789 = phi_1057_;
-            if _e200 {
-                phi_1061_ = 0f;
+            let _e832 = phi_1109_;
+            if _e243 {
+                phi_1113_ = 0f;
             } else {
-                phi_1061_ = 1f;
+                phi_1113_ = 1f;
             }
-            let _e791 = phi_1061_;
-            phi_1063_ = mask_Masked(_e791, _e789, _e779);
+            let _e834 = phi_1113_;
+            phi_1115_ = mask_Masked(_e834, _e832, _e822);
         }
-        let _e794 = phi_1063_;
-        visibility.member[_e69.first_primitive] = _e794.visibility;
-        bits.member[_e69.first_primitive] = _e794.bits;
-        phi_1069_ = _e794.needs_ray;
-        phi_1070_ = _e69.first_primitive;
+        let _e837 = phi_1115_;
+        visibility.member[_e69.first_primitive] = _e837.visibility;
+        bits.member[_e69.first_primitive] = _e837.bits;
+        phi_1121_ = _e837.needs_ray;
+        phi_1122_ = _e69.first_primitive;
     } else {
-        phi_1069_ = false;
-        phi_1070_ = 0u;
+        phi_1121_ = false;
+        phi_1122_ = 0u;
     }
-    let _e801 = phi_1069_;
-    let _e803 = phi_1070_;
+    let _e844 = phi_1121_;
+    let _e846 = phi_1122_;
     if (_e53 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e801 {
-        let _e807 = atomicAdd((&shared_[0u]), 1u);
-        phi_1081_ = _e807;
+    if _e844 {
+        let _e850 = atomicAdd((&shared_[0u]), 1u);
+        phi_1133_ = _e850;
     } else {
-        phi_1081_ = 0u;
+        phi_1133_ = 0u;
     }
-    let _e809 = phi_1081_;
+    let _e852 = phi_1133_;
     workgroupBarrier();
     if (_e53 == 0u) {
-        let _e813 = atomicLoad((&shared_[0u]));
-        let _e814 = atomicAdd((&list.member[3u]), _e813);
-        atomicStore((&shared_[1u]), _e814);
+        let _e856 = atomicLoad((&shared_[0u]));
+        let _e857 = atomicAdd((&list.member[3u]), _e856);
+        atomicStore((&shared_[1u]), _e857);
     }
     workgroupBarrier();
-    if _e801 {
-        let _e817 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e817) + _e809)]), _e803);
+    if _e844 {
+        let _e860 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e860) + _e852)]), _e846);
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -57,18 +66,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_34 {
+struct type_37 {
     member: abi_ShadowParams,
 }
 
@@ -80,7 +89,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_39 {
+struct type_42 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +102,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_43 {
+struct type_46 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -105,7 +114,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_47 {
+struct type_50 {
     member: array<abi_Vertex>,
 }
 
@@ -121,7 +130,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_51 {
+struct type_54 {
     member: array<abi_Material>,
 }
 
@@ -155,145 +164,145 @@ var<storage> samples: type_9;
 var<storage, read_write> visibility: type_17;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_34;
+var<uniform> p: type_37;
 @group(0) @binding(2) 
-var<storage> nodes: type_39;
+var<storage> nodes: type_42;
 @group(0) @binding(3) 
-var<storage> triangles: type_43;
+var<storage> triangles: type_46;
 @group(0) @binding(7) 
 var<storage> alpha_texels: type_13;
 @group(0) @binding(5) 
-var<storage> vertices: type_47;
+var<storage> vertices: type_50;
 @group(0) @binding(6) 
-var<storage> materials: type_51;
+var<storage> materials: type_54;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_217_: lt_bvh_traverse_Tree;
-    var phi_218_: bool;
-    var phi_219_: lt_bvh_traverse_Tree;
-    var phi_220_: bool;
-    var phi_225_: lt_bvh_traverse_Tree;
+    var phi_222_: lt_bvh_traverse_Tree;
+    var phi_223_: bool;
+    var phi_224_: lt_bvh_traverse_Tree;
+    var phi_225_: bool;
+    var phi_230_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_217_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_218_ = false;
+            phi_222_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_223_ = false;
         } else {
-            phi_217_ = lt_bvh_traverse_Tree();
-            phi_218_ = true;
+            phi_222_ = lt_bvh_traverse_Tree();
+            phi_223_ = true;
         }
-        let _e81 = phi_217_;
-        let _e83 = phi_218_;
-        phi_219_ = _e81;
-        phi_220_ = _e83;
+        let _e81 = phi_222_;
+        let _e83 = phi_223_;
+        phi_224_ = _e81;
+        phi_225_ = _e83;
     } else {
-        phi_219_ = lt_bvh_traverse_Tree();
-        phi_220_ = true;
+        phi_224_ = lt_bvh_traverse_Tree();
+        phi_225_ = true;
     }
-    let _e85 = phi_219_;
-    let _e87 = phi_220_;
+    let _e85 = phi_224_;
+    let _e87 = phi_225_;
     if _e87 {
-        phi_225_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_230_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_225_ = _e85;
+        phi_230_ = _e85;
     }
-    let _e92 = phi_225_;
+    let _e92 = phi_230_;
     return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_240_: bool;
-    var phi_244_: f32;
+    var phi_245_: bool;
+    var phi_249_: f32;
 
     if (param_3 != param_3) {
-        phi_240_ = true;
+        phi_245_ = true;
     } else {
         let _e71 = (param_4 >= param_3);
         if _e71 {
         }
-        phi_240_ = _e71;
+        phi_245_ = _e71;
     }
-    let _e73 = phi_240_;
+    let _e73 = phi_245_;
     if _e73 {
-        phi_244_ = param_4;
+        phi_249_ = param_4;
     } else {
-        phi_244_ = param_3;
+        phi_249_ = param_3;
     }
-    let _e75 = phi_244_;
+    let _e75 = phi_249_;
     return _e75;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_256_: bool;
-    var phi_260_: f32;
+    var phi_261_: bool;
+    var phi_265_: f32;
 
     if (param_5 != param_5) {
-        phi_256_ = true;
+        phi_261_ = true;
     } else {
         let _e71 = (param_6 <= param_5);
         if _e71 {
         }
-        phi_256_ = _e71;
+        phi_261_ = _e71;
     }
-    let _e73 = phi_256_;
+    let _e73 = phi_261_;
     if _e73 {
-        phi_260_ = param_6;
+        phi_265_ = param_6;
     } else {
-        phi_260_ = param_5;
+        phi_265_ = param_5;
     }
-    let _e75 = phi_260_;
+    let _e75 = phi_265_;
     return _e75;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
-    var phi_302_: f32;
     var phi_307_: f32;
-    var phi_308_: bool;
-    var phi_309_: f32;
-    var phi_310_: bool;
+    var phi_312_: f32;
+    var phi_313_: bool;
     var phi_314_: f32;
-    var phi_340_: f32;
+    var phi_315_: bool;
+    var phi_319_: f32;
     var phi_345_: f32;
-    var phi_346_: bool;
-    var phi_347_: f32;
-    var phi_348_: bool;
+    var phi_350_: f32;
+    var phi_351_: bool;
     var phi_352_: f32;
-    var phi_360_: f32;
-    var phi_361_: f32;
-    var phi_362_: f32;
-    var phi_371_: f32;
-    var phi_372_: f32;
-    var phi_390_: u32;
-    var phi_404_: u32;
-    var phi_411_: u32;
+    var phi_353_: bool;
+    var phi_357_: f32;
+    var phi_365_: f32;
+    var phi_366_: f32;
+    var phi_367_: f32;
+    var phi_376_: f32;
+    var phi_377_: f32;
+    var phi_395_: u32;
+    var phi_409_: u32;
     var phi_416_: u32;
-    var phi_422_: u32;
+    var phi_421_: u32;
     var phi_427_: u32;
-    var phi_429_: texture_Axis;
-    var phi_457_: f32;
+    var phi_432_: u32;
+    var phi_434_: texture_Axis;
     var phi_462_: f32;
-    var phi_463_: bool;
-    var phi_464_: f32;
-    var phi_465_: bool;
+    var phi_467_: f32;
+    var phi_468_: bool;
     var phi_469_: f32;
-    var phi_495_: f32;
+    var phi_470_: bool;
+    var phi_474_: f32;
     var phi_500_: f32;
-    var phi_501_: bool;
-    var phi_502_: f32;
-    var phi_503_: bool;
+    var phi_505_: f32;
+    var phi_506_: bool;
     var phi_507_: f32;
-    var phi_515_: f32;
-    var phi_516_: f32;
-    var phi_517_: f32;
-    var phi_526_: f32;
-    var phi_527_: f32;
-    var phi_545_: u32;
-    var phi_559_: u32;
-    var phi_566_: u32;
+    var phi_508_: bool;
+    var phi_512_: f32;
+    var phi_520_: f32;
+    var phi_521_: f32;
+    var phi_522_: f32;
+    var phi_531_: f32;
+    var phi_532_: f32;
+    var phi_550_: u32;
+    var phi_564_: u32;
     var phi_571_: u32;
-    var phi_577_: u32;
+    var phi_576_: u32;
     var phi_582_: u32;
-    var phi_584_: texture_Axis;
+    var phi_587_: u32;
+    var phi_589_: texture_Axis;
 
     let _e72 = (*param_7).size;
     let _e73 = (_e72 & 65535u);
@@ -307,286 +316,286 @@ fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureVi
         if (param_8 > -8388608f) {
             let _e99 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
             if (_e99 > param_8) {
-                phi_302_ = 1f;
+                phi_307_ = 1f;
             } else {
-                phi_302_ = 0f;
+                phi_307_ = 0f;
             }
-            let _e102 = phi_302_;
+            let _e102 = phi_307_;
             if (param_8 < 8388608f) {
-                phi_307_ = (_e99 - _e102);
-                phi_308_ = false;
+                phi_312_ = (_e99 - _e102);
+                phi_313_ = false;
             } else {
-                phi_307_ = f32();
-                phi_308_ = true;
+                phi_312_ = f32();
+                phi_313_ = true;
             }
-            let _e105 = phi_307_;
-            let _e107 = phi_308_;
-            phi_309_ = _e105;
-            phi_310_ = _e107;
+            let _e105 = phi_312_;
+            let _e107 = phi_313_;
+            phi_314_ = _e105;
+            phi_315_ = _e107;
         } else {
-            phi_309_ = f32();
-            phi_310_ = true;
+            phi_314_ = f32();
+            phi_315_ = true;
         }
-        let _e109 = phi_309_;
-        let _e111 = phi_310_;
+        let _e109 = phi_314_;
+        let _e111 = phi_315_;
         if _e111 {
-            phi_314_ = param_8;
+            phi_319_ = param_8;
         } else {
-            phi_314_ = _e109;
+            phi_319_ = _e109;
         }
-        let _e113 = phi_314_;
-        phi_362_ = (param_8 - _e113);
+        let _e113 = phi_319_;
+        phi_367_ = (param_8 - _e113);
     } else {
         if (_e86 == 1u) {
             let _e116 = (param_8 * 0.5f);
             if (_e116 > -8388608f) {
                 let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
                 if (_e128 > _e116) {
-                    phi_340_ = 1f;
+                    phi_345_ = 1f;
                 } else {
-                    phi_340_ = 0f;
+                    phi_345_ = 0f;
                 }
-                let _e131 = phi_340_;
+                let _e131 = phi_345_;
                 if (_e116 < 8388608f) {
-                    phi_345_ = (_e128 - _e131);
-                    phi_346_ = false;
+                    phi_350_ = (_e128 - _e131);
+                    phi_351_ = false;
                 } else {
-                    phi_345_ = f32();
-                    phi_346_ = true;
+                    phi_350_ = f32();
+                    phi_351_ = true;
                 }
-                let _e134 = phi_345_;
-                let _e136 = phi_346_;
-                phi_347_ = _e134;
-                phi_348_ = _e136;
+                let _e134 = phi_350_;
+                let _e136 = phi_351_;
+                phi_352_ = _e134;
+                phi_353_ = _e136;
             } else {
-                phi_347_ = f32();
-                phi_348_ = true;
+                phi_352_ = f32();
+                phi_353_ = true;
             }
-            let _e138 = phi_347_;
-            let _e140 = phi_348_;
+            let _e138 = phi_352_;
+            let _e140 = phi_353_;
             if _e140 {
-                phi_352_ = _e116;
+                phi_357_ = _e116;
             } else {
-                phi_352_ = _e138;
+                phi_357_ = _e138;
             }
-            let _e142 = phi_352_;
+            let _e142 = phi_357_;
             let _e144 = (param_8 - (2f * _e142));
             if (_e144 > 1f) {
-                phi_360_ = (2f - _e144);
+                phi_365_ = (2f - _e144);
             } else {
-                phi_360_ = _e144;
+                phi_365_ = _e144;
             }
-            let _e148 = phi_360_;
-            phi_361_ = _e148;
+            let _e148 = phi_365_;
+            phi_366_ = _e148;
         } else {
-            phi_361_ = param_8;
+            phi_366_ = param_8;
         }
-        let _e150 = phi_361_;
-        phi_362_ = _e150;
+        let _e150 = phi_366_;
+        phi_367_ = _e150;
     }
-    let _e152 = phi_362_;
+    let _e152 = phi_367_;
     if (_e152 > 0f) {
         if (_e152 < 1f) {
-            phi_371_ = _e152;
+            phi_376_ = _e152;
         } else {
-            phi_371_ = 1f;
+            phi_376_ = 1f;
         }
-        let _e156 = phi_371_;
-        phi_372_ = _e156;
+        let _e156 = phi_376_;
+        phi_377_ = _e156;
     } else {
-        phi_372_ = 0f;
+        phi_377_ = 0f;
     }
-    let _e158 = phi_372_;
+    let _e158 = phi_377_;
     let _e159 = (_e73 - 1u);
     let _e161 = (_e158 * f32(_e73));
     if _e81 {
         let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
         if (_e159 < _e168) {
-            phi_390_ = _e159;
+            phi_395_ = _e159;
         } else {
-            phi_390_ = _e168;
+            phi_395_ = _e168;
         }
-        let _e171 = phi_390_;
-        phi_429_ = texture_Axis(_e171, _e171, 0f);
+        let _e171 = phi_395_;
+        phi_434_ = texture_Axis(_e171, _e171, 0f);
     } else {
         let _e173 = (_e161 + 0.5f);
         let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
         if (_e73 < _e180) {
-            phi_404_ = _e73;
+            phi_409_ = _e73;
         } else {
-            phi_404_ = _e180;
+            phi_409_ = _e180;
         }
-        let _e183 = phi_404_;
+        let _e183 = phi_409_;
         if (_e86 == 0u) {
-            phi_411_ = _e159;
-        } else {
-            phi_411_ = 0u;
-        }
-        let _e188 = phi_411_;
-        if (_e86 == 0u) {
-            phi_416_ = 0u;
-        } else {
             phi_416_ = _e159;
+        } else {
+            phi_416_ = 0u;
         }
-        let _e191 = phi_416_;
+        let _e188 = phi_416_;
+        if (_e86 == 0u) {
+            phi_421_ = 0u;
+        } else {
+            phi_421_ = _e159;
+        }
+        let _e191 = phi_421_;
         if (_e183 == 0u) {
-            phi_422_ = _e188;
+            phi_427_ = _e188;
         } else {
-            phi_422_ = (_e183 - 1u);
+            phi_427_ = (_e183 - 1u);
         }
-        let _e195 = phi_422_;
+        let _e195 = phi_427_;
         if (_e183 > _e159) {
-            phi_427_ = _e191;
+            phi_432_ = _e191;
         } else {
-            phi_427_ = _e183;
+            phi_432_ = _e183;
         }
-        let _e198 = phi_427_;
-        phi_429_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+        let _e198 = phi_432_;
+        phi_434_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e201 = phi_429_;
+    let _e201 = phi_434_;
     let _e203 = (*param_7).flags;
     let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
     if (_e206 == 0u) {
         if (param_9 > -8388608f) {
             let _e219 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
             if (_e219 > param_9) {
-                phi_457_ = 1f;
+                phi_462_ = 1f;
             } else {
-                phi_457_ = 0f;
+                phi_462_ = 0f;
             }
-            let _e222 = phi_457_;
+            let _e222 = phi_462_;
             if (param_9 < 8388608f) {
-                phi_462_ = (_e219 - _e222);
-                phi_463_ = false;
+                phi_467_ = (_e219 - _e222);
+                phi_468_ = false;
             } else {
-                phi_462_ = f32();
-                phi_463_ = true;
+                phi_467_ = f32();
+                phi_468_ = true;
             }
-            let _e225 = phi_462_;
-            let _e227 = phi_463_;
-            phi_464_ = _e225;
-            phi_465_ = _e227;
+            let _e225 = phi_467_;
+            let _e227 = phi_468_;
+            phi_469_ = _e225;
+            phi_470_ = _e227;
         } else {
-            phi_464_ = f32();
-            phi_465_ = true;
+            phi_469_ = f32();
+            phi_470_ = true;
         }
-        let _e229 = phi_464_;
-        let _e231 = phi_465_;
+        let _e229 = phi_469_;
+        let _e231 = phi_470_;
         if _e231 {
-            phi_469_ = param_9;
+            phi_474_ = param_9;
         } else {
-            phi_469_ = _e229;
+            phi_474_ = _e229;
         }
-        let _e233 = phi_469_;
-        phi_517_ = (param_9 - _e233);
+        let _e233 = phi_474_;
+        phi_522_ = (param_9 - _e233);
     } else {
         if (_e206 == 1u) {
             let _e236 = (param_9 * 0.5f);
             if (_e236 > -8388608f) {
                 let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
                 if (_e248 > _e236) {
-                    phi_495_ = 1f;
+                    phi_500_ = 1f;
                 } else {
-                    phi_495_ = 0f;
+                    phi_500_ = 0f;
                 }
-                let _e251 = phi_495_;
+                let _e251 = phi_500_;
                 if (_e236 < 8388608f) {
-                    phi_500_ = (_e248 - _e251);
-                    phi_501_ = false;
+                    phi_505_ = (_e248 - _e251);
+                    phi_506_ = false;
                 } else {
-                    phi_500_ = f32();
-                    phi_501_ = true;
+                    phi_505_ = f32();
+                    phi_506_ = true;
                 }
-                let _e254 = phi_500_;
-                let _e256 = phi_501_;
-                phi_502_ = _e254;
-                phi_503_ = _e256;
+                let _e254 = phi_505_;
+                let _e256 = phi_506_;
+                phi_507_ = _e254;
+                phi_508_ = _e256;
             } else {
-                phi_502_ = f32();
-                phi_503_ = true;
+                phi_507_ = f32();
+                phi_508_ = true;
             }
-            let _e258 = phi_502_;
-            let _e260 = phi_503_;
+            let _e258 = phi_507_;
+            let _e260 = phi_508_;
             if _e260 {
-                phi_507_ = _e236;
+                phi_512_ = _e236;
             } else {
-                phi_507_ = _e258;
+                phi_512_ = _e258;
             }
-            let _e262 = phi_507_;
+            let _e262 = phi_512_;
             let _e264 = (param_9 - (2f * _e262));
             if (_e264 > 1f) {
-                phi_515_ = (2f - _e264);
+                phi_520_ = (2f - _e264);
             } else {
-                phi_515_ = _e264;
+                phi_520_ = _e264;
             }
-            let _e268 = phi_515_;
-            phi_516_ = _e268;
+            let _e268 = phi_520_;
+            phi_521_ = _e268;
         } else {
-            phi_516_ = param_9;
+            phi_521_ = param_9;
         }
-        let _e270 = phi_516_;
-        phi_517_ = _e270;
+        let _e270 = phi_521_;
+        phi_522_ = _e270;
     }
-    let _e272 = phi_517_;
+    let _e272 = phi_522_;
     if (_e272 > 0f) {
         if (_e272 < 1f) {
-            phi_526_ = _e272;
+            phi_531_ = _e272;
         } else {
-            phi_526_ = 1f;
+            phi_531_ = 1f;
         }
-        let _e276 = phi_526_;
-        phi_527_ = _e276;
+        let _e276 = phi_531_;
+        phi_532_ = _e276;
     } else {
-        phi_527_ = 0f;
+        phi_532_ = 0f;
     }
-    let _e278 = phi_527_;
+    let _e278 = phi_532_;
     let _e279 = (_e77 - 1u);
     let _e281 = (_e278 * f32(_e77));
     if _e81 {
         let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
         if (_e279 < _e288) {
-            phi_545_ = _e279;
+            phi_550_ = _e279;
         } else {
-            phi_545_ = _e288;
+            phi_550_ = _e288;
         }
-        let _e291 = phi_545_;
-        phi_584_ = texture_Axis(_e291, _e291, 0f);
+        let _e291 = phi_550_;
+        phi_589_ = texture_Axis(_e291, _e291, 0f);
     } else {
         let _e293 = (_e281 + 0.5f);
         let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
         if (_e77 < _e300) {
-            phi_559_ = _e77;
+            phi_564_ = _e77;
         } else {
-            phi_559_ = _e300;
+            phi_564_ = _e300;
         }
-        let _e303 = phi_559_;
+        let _e303 = phi_564_;
         if (_e206 == 0u) {
-            phi_566_ = _e279;
-        } else {
-            phi_566_ = 0u;
-        }
-        let _e308 = phi_566_;
-        if (_e206 == 0u) {
-            phi_571_ = 0u;
-        } else {
             phi_571_ = _e279;
+        } else {
+            phi_571_ = 0u;
         }
-        let _e311 = phi_571_;
+        let _e308 = phi_571_;
+        if (_e206 == 0u) {
+            phi_576_ = 0u;
+        } else {
+            phi_576_ = _e279;
+        }
+        let _e311 = phi_576_;
         if (_e303 == 0u) {
-            phi_577_ = _e308;
+            phi_582_ = _e308;
         } else {
-            phi_577_ = (_e303 - 1u);
+            phi_582_ = (_e303 - 1u);
         }
-        let _e315 = phi_577_;
+        let _e315 = phi_582_;
         if (_e303 > _e279) {
-            phi_582_ = _e311;
+            phi_587_ = _e311;
         } else {
-            phi_582_ = _e303;
+            phi_587_ = _e303;
         }
-        let _e318 = phi_582_;
-        phi_584_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+        let _e318 = phi_587_;
+        phi_589_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e321 = phi_584_;
+    let _e321 = phi_589_;
     let _e325 = (*param_7).offset;
     let _e332 = (*param_7).offset;
     let _e339 = (*param_7).offset;
@@ -595,11 +604,11 @@ fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureVi
 }
 
 fn _lt_shaders_abi_Sample_is_valid(param_10: ptr<function, abi_Sample>) -> bool {
-    var phi_656_: bool;
-    var phi_657_: bool;
-    var phi_658_: bool;
-    var phi_659_: bool;
+    var phi_661_: bool;
+    var phi_662_: bool;
     var phi_663_: bool;
+    var phi_664_: bool;
+    var phi_668_: bool;
 
     let _e71 = (*param_10).normal[0u];
     let _e73 = global[0u];
@@ -609,28 +618,28 @@ fn _lt_shaders_abi_Sample_is_valid(param_10: ptr<function, abi_Sample>) -> bool 
         if (_e76 == _e78) {
             let _e81 = (*param_10).normal[2u];
             let _e83 = global[2u];
-            phi_656_ = (_e81 == _e83);
-            phi_657_ = false;
+            phi_661_ = (_e81 == _e83);
+            phi_662_ = false;
         } else {
-            phi_656_ = bool();
-            phi_657_ = true;
+            phi_661_ = bool();
+            phi_662_ = true;
         }
-        let _e86 = phi_656_;
-        let _e88 = phi_657_;
-        phi_658_ = _e86;
-        phi_659_ = _e88;
+        let _e86 = phi_661_;
+        let _e88 = phi_662_;
+        phi_663_ = _e86;
+        phi_664_ = _e88;
     } else {
-        phi_658_ = bool();
-        phi_659_ = true;
+        phi_663_ = bool();
+        phi_664_ = true;
     }
-    let _e90 = phi_658_;
-    let _e92 = phi_659_;
+    let _e90 = phi_663_;
+    let _e92 = phi_664_;
     if _e92 {
-        phi_663_ = false;
+        phi_668_ = false;
     } else {
-        phi_663_ = _e90;
+        phi_668_ = _e90;
     }
-    let _e94 = phi_663_;
+    let _e94 = phi_668_;
     return !(_e94);
 }
 
@@ -638,196 +647,202 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: abi_Sample;
-    var phi_757_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_761_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_807_: f32;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_864_: bool;
-    var phi_868_: bool;
-    var phi_869_: bool;
-    var phi_870_: bool;
-    var phi_871_: bool;
-    var phi_872_: bool;
-    var phi_873_: bool;
-    var phi_874_: bool;
-    var phi_875_: bool;
-    var phi_876_: bool;
-    var phi_877_: bool;
-    var phi_878_: bool;
-    var phi_879_: bool;
-    var phi_880_: bool;
-    var phi_881_: bool;
-    var phi_882_: bool;
-    var phi_883_: bool;
-    var phi_884_: bool;
-    var phi_885_: bool;
-    var phi_889_: bool;
-    var phi_893_: bool;
-    var phi_963_: f32;
-    var phi_970_: f32;
-    var phi_977_: f32;
-    var phi_984_: f32;
-    var phi_991_: f32;
-    var phi_998_: f32;
-    var phi_1015_: f32;
-    var phi_1020_: f32;
-    var phi_1025_: f32;
-    var phi_1053_: bool;
-    var phi_1054_: bool;
-    var phi_1062_: u32;
-    var phi_1063_: u32;
-    var phi_1074_: vec3<f32>;
-    var phi_1075_: vec3<f32>;
-    var phi_1088_: u32;
-    var phi_1093_: u32;
-    var phi_1098_: u32;
-    var phi_1212_: bool;
-    var phi_1213_: bool;
-    var phi_1244_: u32;
-    var phi_1246_: u32;
-    var phi_1249_: bool;
-    var phi_1329_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1356_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1383_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1389_: u32;
-    var phi_1392_: u32;
-    var phi_1406_: u32;
-    var phi_1416_: u32;
-    var phi_1426_: u32;
-    var phi_1444_: u32;
-    var phi_1454_: u32;
-    var phi_1464_: u32;
-    var phi_1500_: u32;
-    var phi_1513_: u32;
-    var phi_1518_: u32;
-    var phi_1519_: u32;
-    var phi_1520_: u32;
-    var phi_1390_: u32;
-    var phi_1393_: u32;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_799_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_800_: bool;
+    var phi_801_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_802_: bool;
+    var phi_809_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_813_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_860_: f32;
+    var phi_915_: bool;
+    var phi_916_: bool;
+    var phi_917_: bool;
+    var phi_921_: bool;
+    var phi_922_: bool;
+    var phi_923_: bool;
+    var phi_924_: bool;
+    var phi_925_: bool;
+    var phi_926_: bool;
+    var phi_927_: bool;
+    var phi_928_: bool;
+    var phi_929_: bool;
+    var phi_930_: bool;
+    var phi_931_: bool;
+    var phi_932_: bool;
+    var phi_933_: bool;
+    var phi_934_: bool;
+    var phi_935_: bool;
+    var phi_936_: bool;
+    var phi_937_: bool;
+    var phi_938_: bool;
+    var phi_942_: bool;
+    var phi_946_: bool;
+    var phi_1016_: f32;
+    var phi_1023_: f32;
+    var phi_1030_: f32;
+    var phi_1037_: f32;
+    var phi_1044_: f32;
+    var phi_1051_: f32;
+    var phi_1068_: f32;
+    var phi_1073_: f32;
+    var phi_1078_: f32;
+    var phi_1106_: bool;
+    var phi_1107_: bool;
+    var phi_1115_: u32;
+    var phi_1116_: u32;
+    var phi_1127_: vec3<f32>;
+    var phi_1128_: vec3<f32>;
+    var phi_1141_: u32;
+    var phi_1146_: u32;
+    var phi_1151_: u32;
+    var phi_1265_: bool;
+    var phi_1266_: bool;
+    var phi_1297_: u32;
+    var phi_1299_: u32;
+    var phi_1302_: bool;
+    var phi_1382_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1409_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1436_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1442_: u32;
+    var phi_1445_: u32;
+    var phi_1459_: u32;
+    var phi_1469_: u32;
+    var phi_1479_: u32;
+    var phi_1497_: u32;
+    var phi_1507_: u32;
+    var phi_1517_: u32;
+    var phi_1553_: u32;
+    var phi_1566_: u32;
+    var phi_1571_: u32;
+    var phi_1572_: u32;
+    var phi_1573_: u32;
+    var phi_1443_: u32;
+    var phi_1446_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1578_: u32;
-    var phi_1581_: bool;
-    var phi_1625_: vec3<f32>;
-    var phi_1626_: vec3<f32>;
-    var phi_1655_: vec3<f32>;
-    var phi_1656_: vec3<f32>;
-    var phi_1685_: vec3<f32>;
-    var phi_1686_: vec3<f32>;
-    var phi_1704_: bool;
-    var phi_1705_: bool;
-    var phi_1709_: f32;
-    var phi_1710_: f32;
-    var phi_1711_: f32;
-    var phi_1712_: f32;
-    var phi_1720_: f32;
-    var phi_1730_: bool;
-    var phi_1731_: bool;
-    var phi_1735_: f32;
-    var phi_1736_: f32;
-    var phi_1737_: f32;
-    var phi_1738_: f32;
-    var phi_1746_: f32;
-    var phi_1756_: bool;
+    var phi_1631_: u32;
+    var phi_1634_: bool;
+    var phi_1678_: vec3<f32>;
+    var phi_1679_: vec3<f32>;
+    var phi_1708_: vec3<f32>;
+    var phi_1709_: vec3<f32>;
+    var phi_1738_: vec3<f32>;
+    var phi_1739_: vec3<f32>;
     var phi_1757_: bool;
-    var phi_1761_: f32;
+    var phi_1758_: bool;
     var phi_1762_: f32;
     var phi_1763_: f32;
     var phi_1764_: f32;
-    var phi_1772_: f32;
-    var phi_1787_: f32;
-    var phi_1788_: bool;
+    var phi_1765_: f32;
+    var phi_1773_: f32;
+    var phi_1783_: bool;
+    var phi_1784_: bool;
+    var phi_1788_: f32;
     var phi_1789_: f32;
-    var phi_1790_: bool;
+    var phi_1790_: f32;
     var phi_1791_: f32;
-    var phi_1792_: bool;
-    var phi_1810_: f32;
-    var phi_1811_: bool;
-    var phi_1812_: bool;
-    var phi_1813_: f32;
-    var phi_1814_: bool;
-    var phi_1815_: bool;
-    var phi_1819_: bool;
-    var phi_1820_: f32;
-    var phi_1821_: bool;
-    var phi_1849_: vec3<f32>;
-    var phi_1850_: vec3<f32>;
-    var phi_1875_: vec3<f32>;
-    var phi_1876_: vec3<f32>;
-    var phi_1901_: vec3<f32>;
+    var phi_1799_: f32;
+    var phi_1809_: bool;
+    var phi_1810_: bool;
+    var phi_1814_: f32;
+    var phi_1815_: f32;
+    var phi_1816_: f32;
+    var phi_1817_: f32;
+    var phi_1825_: f32;
+    var phi_1840_: f32;
+    var phi_1841_: bool;
+    var phi_1842_: f32;
+    var phi_1843_: bool;
+    var phi_1844_: f32;
+    var phi_1845_: bool;
+    var phi_1863_: f32;
+    var phi_1864_: bool;
+    var phi_1865_: bool;
+    var phi_1866_: f32;
+    var phi_1867_: bool;
+    var phi_1868_: bool;
+    var phi_1872_: bool;
+    var phi_1873_: f32;
+    var phi_1874_: bool;
     var phi_1902_: vec3<f32>;
-    var phi_1958_: f32;
-    var phi_1967_: f32;
-    var phi_1976_: f32;
-    var phi_1985_: f32;
-    var phi_1992_: f32;
-    var phi_1999_: f32;
-    var phi_2012_: f32;
-    var phi_2021_: f32;
-    var phi_2030_: f32;
-    var phi_2039_: f32;
-    var phi_2046_: f32;
-    var phi_2053_: f32;
-    var phi_2070_: f32;
-    var phi_2075_: f32;
-    var phi_2080_: f32;
-    var phi_2088_: f32;
-    var phi_2093_: f32;
-    var phi_2098_: f32;
-    var phi_2110_: f32;
-    var phi_2115_: f32;
-    var phi_2120_: f32;
-    var phi_2125_: f32;
-    var phi_2130_: lt_bvh_triangle_Intersection;
-    var phi_2131_: bool;
-    var phi_2132_: lt_bvh_triangle_Intersection;
-    var phi_2133_: bool;
-    var phi_2137_: lt_bvh_triangle_Intersection;
-    var phi_2138_: bool;
-    var phi_2139_: lt_bvh_triangle_Intersection;
-    var phi_2140_: bool;
-    var phi_2141_: bool;
-    var phi_2145_: bool;
-    var phi_2149_: lt_bvh_triangle_Intersection;
-    var phi_2363_: f32;
-    var phi_2366_: bool;
-    var phi_2367_: bool;
-    var phi_2368_: bool;
-    var phi_2372_: bool;
-    var phi_2373_: bool;
-    var phi_2374_: bool;
-    var phi_2375_: bool;
-    var phi_2376_: bool;
-    var phi_2377_: bool;
-    var phi_2378_: bool;
-    var phi_2379_: bool;
-    var phi_2380_: bool;
-    var phi_2381_: bool;
-    var phi_1579_: u32;
-    var phi_1582_: bool;
-    var phi_2385_: bool;
-    var phi_2386_: bool;
-    var local_6: bool;
+    var phi_1903_: vec3<f32>;
+    var phi_1928_: vec3<f32>;
+    var phi_1929_: vec3<f32>;
+    var phi_1954_: vec3<f32>;
+    var phi_1955_: vec3<f32>;
+    var phi_2011_: f32;
+    var phi_2020_: f32;
+    var phi_2029_: f32;
+    var phi_2038_: f32;
+    var phi_2045_: f32;
+    var phi_2052_: f32;
+    var phi_2065_: f32;
+    var phi_2074_: f32;
+    var phi_2083_: f32;
+    var phi_2092_: f32;
+    var phi_2099_: f32;
+    var phi_2106_: f32;
+    var phi_2123_: f32;
+    var phi_2128_: f32;
+    var phi_2133_: f32;
+    var phi_2141_: f32;
+    var phi_2146_: f32;
+    var phi_2151_: f32;
+    var phi_2163_: f32;
+    var phi_2168_: f32;
+    var phi_2173_: f32;
+    var phi_2178_: f32;
+    var phi_2183_: lt_bvh_triangle_Intersection;
+    var phi_2184_: bool;
+    var phi_2185_: lt_bvh_triangle_Intersection;
+    var phi_2186_: bool;
+    var phi_2190_: lt_bvh_triangle_Intersection;
+    var phi_2191_: bool;
+    var phi_2192_: lt_bvh_triangle_Intersection;
+    var phi_2193_: bool;
+    var phi_2194_: bool;
+    var phi_2198_: bool;
+    var phi_2202_: lt_bvh_triangle_Intersection;
+    var phi_2416_: f32;
+    var phi_2419_: bool;
+    var phi_2420_: bool;
+    var phi_2421_: bool;
+    var phi_2425_: bool;
+    var phi_2426_: bool;
+    var phi_2427_: bool;
     var phi_2428_: bool;
     var phi_2429_: bool;
-    var phi_2460_: u32;
-    var phi_2461_: u32;
-    var phi_1247_: u32;
-    var phi_1250_: bool;
-    var phi_2462_: bool;
-    var phi_2463_: bool;
-    var phi_2464_: bool;
+    var phi_2430_: bool;
+    var phi_2431_: bool;
+    var phi_2432_: bool;
+    var phi_2433_: bool;
+    var phi_2434_: bool;
+    var phi_1632_: u32;
+    var phi_1635_: bool;
+    var phi_2438_: bool;
+    var phi_2439_: bool;
+    var local_6: bool;
+    var phi_2481_: bool;
+    var phi_2482_: bool;
+    var phi_2513_: u32;
+    var phi_2514_: u32;
+    var phi_1300_: u32;
+    var phi_1303_: bool;
+    var phi_2515_: bool;
+    var phi_2516_: bool;
+    var phi_2517_: bool;
     var local_7: bool;
-    var phi_2468_: bool;
-    var phi_2472_: bool;
-    var phi_2473_: bool;
-    var phi_2474_: bool;
-    var phi_2475_: bool;
-    var phi_2479_: bool;
-    var phi_2483_: f32;
-    var phi_2484_: f32;
+    var phi_2521_: bool;
+    var phi_2525_: bool;
+    var phi_2526_: bool;
+    var phi_2527_: bool;
+    var phi_2528_: bool;
+    var phi_2532_: bool;
+    var phi_2536_: f32;
+    var phi_2537_: f32;
     var local_8: bool;
     var local_9: bool;
     var local_10: bool;
@@ -849,1313 +864,1352 @@ fn function_() {
         }
         let _e107 = samples.member[(0u + _e99.first_primitive)];
         local_2 = abi_Sample(_e107.position, _e107.magnitude, _e107.normal, _e107.flags, _e107.shading_normal, _e107.albedo);
-        let _e116 = p.member.light;
-        let _e117 = _lt_shaders_abi_Sample_is_valid((&local_2));
-        if _e117 {
-            let _e119 = local_2.normal;
-            let _e121 = local_2.position;
-            if ((((_e119.x * (_e116.x - (_e121.x * _e116.w))) + (_e119.y * (_e116.y - (_e121.y * _e116.w)))) + (_e119.z * (_e116.z - (_e121.z * _e116.w)))) > 0f) {
-                let _e145 = local_2.flags;
-                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
-                phi_757_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, ((_e145 & 1u) == 0u));
-            } else {
-                let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-                phi_757_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
-            }
-            let _e179 = phi_757_;
-            phi_761_ = _e179;
-        } else {
-            let _e185 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e185.unnamed.visibility, false), _e185.unnamed_1);
-            phi_761_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e191.unnamed, true);
-        }
-        let _e196 = phi_761_;
-        if _e196.unnamed_1 {
-            phi_2484_ = _e196.unnamed.visibility;
-        } else {
-            let _e201 = p.member.light;
-            let _e203 = local_2.position;
-            let _e205 = local_2.normal;
-            let _e207 = local_2.magnitude;
-            let _e209 = ((8f / 8388608f) * _e207);
-            let _e217 = (_e203.x + (_e205.x * _e209));
-            let _e219 = (_e203.y + (_e205.y * _e209));
-            let _e221 = (_e203.z + (_e205.z * _e209));
-            if (_e201.w == 0f) {
-                phi_807_ = 300000000000000000000000000000000000000f;
-            } else {
-                phi_807_ = 1f;
-            }
-            let _e225 = phi_807_;
-            let _e233 = (_e201.x - (_e217 * _e201.w));
-            let _e234 = (_e201.y - (_e219 * _e201.w));
-            let _e235 = (_e201.z - (_e221 * _e201.w));
-            let _e240 = abs(_e233);
-            let _e241 = abs(_e234);
-            let _e242 = abs(_e235);
-            if (abs(_e217) < 1000000000000000f) {
-                if (abs(_e219) < 1000000000000000f) {
-                    if (abs(_e221) < 1000000000000000f) {
-                        if (_e240 < 1000000000000000f) {
-                            if (_e241 < 1000000000000000f) {
-                                if (_e242 < 1000000000000000f) {
-                                    if (_e240 > 0f) {
-                                        phi_863_ = bool();
-                                        phi_864_ = true;
-                                    } else {
-                                        let _e250 = (_e241 > 0f);
-                                        if _e250 {
-                                            phi_862_ = bool();
-                                        } else {
-                                            phi_862_ = (_e242 > 0f);
-                                        }
-                                        let _e253 = phi_862_;
-                                        phi_863_ = _e253;
-                                        phi_864_ = _e250;
-                                    }
-                                    let _e255 = phi_863_;
-                                    let _e257 = phi_864_;
-                                    if _e257 {
-                                        phi_868_ = true;
-                                    } else {
-                                        phi_868_ = _e255;
-                                    }
-                                    let _e259 = phi_868_;
-                                    phi_869_ = _e259;
-                                    phi_870_ = false;
-                                } else {
-                                    phi_869_ = bool();
-                                    phi_870_ = true;
-                                }
-                                let _e261 = phi_869_;
-                                let _e263 = phi_870_;
-                                phi_871_ = _e261;
-                                phi_872_ = false;
-                                phi_873_ = _e263;
-                            } else {
-                                phi_871_ = bool();
-                                phi_872_ = true;
-                                phi_873_ = false;
-                            }
-                            let _e265 = phi_871_;
-                            let _e267 = phi_872_;
-                            let _e269 = phi_873_;
-                            phi_874_ = _e265;
-                            phi_875_ = _e267;
-                            phi_876_ = _e269;
-                        } else {
-                            phi_874_ = bool();
-                            phi_875_ = true;
-                            phi_876_ = false;
-                        }
-                        let _e271 = phi_874_;
-                        let _e273 = phi_875_;
-                        let _e275 = phi_876_;
-                        phi_877_ = _e271;
-                        phi_878_ = _e273;
-                        phi_879_ = _e275;
-                    } else {
-                        phi_877_ = bool();
-                        phi_878_ = true;
-                        phi_879_ = false;
-                    }
-                    let _e277 = phi_877_;
-                    let _e279 = phi_878_;
-                    let _e281 = phi_879_;
-                    phi_880_ = _e277;
-                    phi_881_ = _e279;
-                    phi_882_ = _e281;
+        let _e116 = _lt_shaders_abi_Sample_is_valid((&local_2));
+        if _e116 {
+            let _e118 = local_2.position;
+            let _e120 = p.member.light.place;
+            let _e126 = p.member.light.place[3u];
+            let _e133 = (_e120.x - (_e118.x * _e126));
+            let _e134 = (_e120.y - (_e118.y * _e126));
+            let _e135 = (_e120.z - (_e118.z * _e126));
+            let _e137 = local_2.normal;
+            if ((((_e137.x * _e133) + (_e137.y * _e134)) + (_e137.z * _e135)) > 0f) {
+                let _e151 = (((_e133 * _e133) + (_e134 * _e134)) + (_e135 * _e135));
+                let _e153 = p.member.light.axis;
+                let _e165 = p.member.light.place[3u];
+                if (_e165 == 0f) {
+                    phi_788_ = true;
                 } else {
-                    phi_880_ = bool();
-                    phi_881_ = true;
-                    phi_882_ = false;
+                    let _e168 = p.member.light.range_squared;
+                    if (_e151 <= _e168) {
+                        let _e171 = p.member.light.cos_outer;
+                        phi_787_ = (-((((_e133 * _e153.x) + (_e134 * _e153.y)) + (_e135 * _e153.z))) >= (_e171 * sqrt(_e151)));
+                    } else {
+                        phi_787_ = false;
+                    }
+                    let _e176 = phi_787_;
+                    phi_788_ = _e176;
                 }
-                let _e283 = phi_880_;
-                let _e285 = phi_881_;
-                let _e287 = phi_882_;
-                phi_883_ = _e283;
-                phi_884_ = _e285;
-                phi_885_ = _e287;
+                let _e178 = phi_788_;
+                if _e178 {
+                    let _e180 = local_2.flags;
+                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e188.unnamed.visibility, false), _e188.unnamed_1);
+                    phi_799_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e194.unnamed, ((_e180 & 1u) == 0u));
+                    phi_800_ = false;
+                } else {
+                    phi_799_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_800_ = true;
+                }
+                let _e199 = phi_799_;
+                let _e201 = phi_800_;
+                phi_801_ = _e199;
+                phi_802_ = _e201;
             } else {
-                phi_883_ = bool();
-                phi_884_ = true;
-                phi_885_ = false;
+                phi_801_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_802_ = true;
             }
-            let _e289 = phi_883_;
-            let _e291 = phi_884_;
-            let _e293 = phi_885_;
-            if _e291 {
-                phi_889_ = true;
+            let _e203 = phi_801_;
+            let _e205 = phi_802_;
+            if _e205 {
+                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
+                phi_809_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
             } else {
-                phi_889_ = _e293;
+                phi_809_ = _e203;
             }
-            let _e295 = phi_889_;
-            if _e295 {
-                phi_893_ = false;
+            let _e222 = phi_809_;
+            phi_813_ = _e222;
+        } else {
+            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e228.unnamed.visibility, false), _e228.unnamed_1);
+            phi_813_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e234.unnamed, true);
+        }
+        let _e239 = phi_813_;
+        if _e239.unnamed_1 {
+            phi_2537_ = _e239.unnamed.visibility;
+        } else {
+            let _e245 = local_2.position;
+            let _e247 = local_2.normal;
+            let _e249 = local_2.magnitude;
+            let _e251 = ((8f / 8388608f) * _e249);
+            let _e259 = (_e245.x + (_e247.x * _e251));
+            let _e261 = (_e245.y + (_e247.y * _e251));
+            let _e263 = (_e245.z + (_e247.z * _e251));
+            let _e265 = p.member.light.place;
+            if (_e265.w == 0f) {
+                phi_860_ = 300000000000000000000000000000000000000f;
             } else {
-                phi_893_ = _e289;
+                phi_860_ = 1f;
             }
-            let _e297 = phi_893_;
-            if _e297 {
-                let _e298 = (0u >= _e78);
-                if _e298 {
-                    phi_2473_ = bool();
+            let _e269 = phi_860_;
+            let _e277 = (_e265.x - (_e259 * _e265.w));
+            let _e278 = (_e265.y - (_e261 * _e265.w));
+            let _e279 = (_e265.z - (_e263 * _e265.w));
+            let _e284 = abs(_e277);
+            let _e285 = abs(_e278);
+            let _e286 = abs(_e279);
+            if (abs(_e259) < 1000000000000000f) {
+                if (abs(_e261) < 1000000000000000f) {
+                    if (abs(_e263) < 1000000000000000f) {
+                        if (_e284 < 1000000000000000f) {
+                            if (_e285 < 1000000000000000f) {
+                                if (_e286 < 1000000000000000f) {
+                                    if (_e284 > 0f) {
+                                        phi_916_ = bool();
+                                        phi_917_ = true;
+                                    } else {
+                                        let _e294 = (_e285 > 0f);
+                                        if _e294 {
+                                            phi_915_ = bool();
+                                        } else {
+                                            phi_915_ = (_e286 > 0f);
+                                        }
+                                        let _e297 = phi_915_;
+                                        phi_916_ = _e297;
+                                        phi_917_ = _e294;
+                                    }
+                                    let _e299 = phi_916_;
+                                    let _e301 = phi_917_;
+                                    if _e301 {
+                                        phi_921_ = true;
+                                    } else {
+                                        phi_921_ = _e299;
+                                    }
+                                    let _e303 = phi_921_;
+                                    phi_922_ = _e303;
+                                    phi_923_ = false;
+                                } else {
+                                    phi_922_ = bool();
+                                    phi_923_ = true;
+                                }
+                                let _e305 = phi_922_;
+                                let _e307 = phi_923_;
+                                phi_924_ = _e305;
+                                phi_925_ = false;
+                                phi_926_ = _e307;
+                            } else {
+                                phi_924_ = bool();
+                                phi_925_ = true;
+                                phi_926_ = false;
+                            }
+                            let _e309 = phi_924_;
+                            let _e311 = phi_925_;
+                            let _e313 = phi_926_;
+                            phi_927_ = _e309;
+                            phi_928_ = _e311;
+                            phi_929_ = _e313;
+                        } else {
+                            phi_927_ = bool();
+                            phi_928_ = true;
+                            phi_929_ = false;
+                        }
+                        let _e315 = phi_927_;
+                        let _e317 = phi_928_;
+                        let _e319 = phi_929_;
+                        phi_930_ = _e315;
+                        phi_931_ = _e317;
+                        phi_932_ = _e319;
+                    } else {
+                        phi_930_ = bool();
+                        phi_931_ = true;
+                        phi_932_ = false;
+                    }
+                    let _e321 = phi_930_;
+                    let _e323 = phi_931_;
+                    let _e325 = phi_932_;
+                    phi_933_ = _e321;
+                    phi_934_ = _e323;
+                    phi_935_ = _e325;
+                } else {
+                    phi_933_ = bool();
+                    phi_934_ = true;
+                    phi_935_ = false;
+                }
+                let _e327 = phi_933_;
+                let _e329 = phi_934_;
+                let _e331 = phi_935_;
+                phi_936_ = _e327;
+                phi_937_ = _e329;
+                phi_938_ = _e331;
+            } else {
+                phi_936_ = bool();
+                phi_937_ = true;
+                phi_938_ = false;
+            }
+            let _e333 = phi_936_;
+            let _e335 = phi_937_;
+            let _e337 = phi_938_;
+            if _e335 {
+                phi_942_ = true;
+            } else {
+                phi_942_ = _e337;
+            }
+            let _e339 = phi_942_;
+            if _e339 {
+                phi_946_ = false;
+            } else {
+                phi_946_ = _e333;
+            }
+            let _e341 = phi_946_;
+            if _e341 {
+                let _e342 = (0u >= _e78);
+                if _e342 {
+                    phi_2526_ = bool();
                 } else {
                     if (0u < _e78) {
                     } else {
                         return;
                     }
-                    let _e304 = nodes.member[(0u + 0u)].frame[0u];
-                    let _e308 = nodes.member[(0u + 0u)].frame[1u];
-                    let _e312 = nodes.member[(0u + 0u)].frame[2u];
-                    let _e316 = nodes.member[(0u + 0u)].frame[0u];
-                    let _e320 = nodes.member[(0u + 0u)].frame[1u];
-                    let _e324 = nodes.member[(0u + 0u)].frame[2u];
-                    let _e328 = nodes.member[(0u + 0u)].frame[3u];
-                    let _e362 = core_intrinsics_maximum_number_nsz_f32_(abs(_e233), abs(_e234));
-                    let _e363 = core_intrinsics_maximum_number_nsz_f32_(_e362, abs(_e235));
-                    let _e364 = (_e363 * 0.0000000000009094947f);
-                    if (abs(_e233) < _e364) {
-                        phi_963_ = _e364;
+                    let _e348 = nodes.member[(0u + 0u)].frame[0u];
+                    let _e352 = nodes.member[(0u + 0u)].frame[1u];
+                    let _e356 = nodes.member[(0u + 0u)].frame[2u];
+                    let _e360 = nodes.member[(0u + 0u)].frame[0u];
+                    let _e364 = nodes.member[(0u + 0u)].frame[1u];
+                    let _e368 = nodes.member[(0u + 0u)].frame[2u];
+                    let _e372 = nodes.member[(0u + 0u)].frame[3u];
+                    let _e406 = core_intrinsics_maximum_number_nsz_f32_(abs(_e277), abs(_e278));
+                    let _e407 = core_intrinsics_maximum_number_nsz_f32_(_e406, abs(_e279));
+                    let _e408 = (_e407 * 0.0000000000009094947f);
+                    if (abs(_e277) < _e408) {
+                        phi_1016_ = _e408;
                     } else {
-                        phi_963_ = abs(_e233);
+                        phi_1016_ = abs(_e277);
                     }
-                    let _e369 = phi_963_;
-                    if (_e233 < 0f) {
-                        phi_970_ = (-1f / _e369);
+                    let _e413 = phi_1016_;
+                    if (_e277 < 0f) {
+                        phi_1023_ = (-1f / _e413);
                     } else {
-                        phi_970_ = (1f / _e369);
+                        phi_1023_ = (1f / _e413);
                     }
-                    let _e374 = phi_970_;
-                    if (abs(_e234) < _e364) {
-                        phi_977_ = _e364;
+                    let _e418 = phi_1023_;
+                    if (abs(_e278) < _e408) {
+                        phi_1030_ = _e408;
                     } else {
-                        phi_977_ = abs(_e234);
+                        phi_1030_ = abs(_e278);
                     }
-                    let _e379 = phi_977_;
-                    if (_e234 < 0f) {
-                        phi_984_ = (-1f / _e379);
+                    let _e423 = phi_1030_;
+                    if (_e278 < 0f) {
+                        phi_1037_ = (-1f / _e423);
                     } else {
-                        phi_984_ = (1f / _e379);
+                        phi_1037_ = (1f / _e423);
                     }
-                    let _e384 = phi_984_;
-                    if (abs(_e235) < _e364) {
-                        phi_991_ = _e364;
+                    let _e428 = phi_1037_;
+                    if (abs(_e279) < _e408) {
+                        phi_1044_ = _e408;
                     } else {
-                        phi_991_ = abs(_e235);
+                        phi_1044_ = abs(_e279);
                     }
-                    let _e389 = phi_991_;
-                    if (_e235 < 0f) {
-                        phi_998_ = (-1f / _e389);
+                    let _e433 = phi_1044_;
+                    if (_e279 < 0f) {
+                        phi_1051_ = (-1f / _e433);
                     } else {
-                        phi_998_ = (1f / _e389);
+                        phi_1051_ = (1f / _e433);
                     }
-                    let _e394 = phi_998_;
-                    let _e398 = abs((bitcast<f32>(_e304) - _e217));
-                    let _e399 = abs((bitcast<f32>(_e308) - _e219));
-                    let _e400 = abs((bitcast<f32>(_e312) - _e221));
-                    let _e404 = abs(((bitcast<f32>(_e316) + (bitcast<f32>((((_e328 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e217));
-                    let _e405 = abs(((bitcast<f32>(_e320) + (bitcast<f32>((((_e328 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e219));
-                    let _e406 = abs(((bitcast<f32>(_e324) + (bitcast<f32>((((_e328 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e221));
-                    if (_e398 > _e404) {
-                        phi_1015_ = _e398;
+                    let _e438 = phi_1051_;
+                    let _e442 = abs((bitcast<f32>(_e348) - _e259));
+                    let _e443 = abs((bitcast<f32>(_e352) - _e261));
+                    let _e444 = abs((bitcast<f32>(_e356) - _e263));
+                    let _e448 = abs(((bitcast<f32>(_e360) + (bitcast<f32>((((_e372 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e259));
+                    let _e449 = abs(((bitcast<f32>(_e364) + (bitcast<f32>((((_e372 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e261));
+                    let _e450 = abs(((bitcast<f32>(_e368) + (bitcast<f32>((((_e372 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e263));
+                    if (_e442 > _e448) {
+                        phi_1068_ = _e442;
                     } else {
-                        phi_1015_ = _e404;
+                        phi_1068_ = _e448;
                     }
-                    let _e409 = phi_1015_;
-                    if (_e399 > _e405) {
-                        phi_1020_ = _e399;
+                    let _e453 = phi_1068_;
+                    if (_e443 > _e449) {
+                        phi_1073_ = _e443;
                     } else {
-                        phi_1020_ = _e405;
+                        phi_1073_ = _e449;
                     }
-                    let _e412 = phi_1020_;
-                    if (_e400 > _e406) {
-                        phi_1025_ = _e400;
+                    let _e456 = phi_1073_;
+                    if (_e444 > _e450) {
+                        phi_1078_ = _e444;
                     } else {
-                        phi_1025_ = _e406;
+                        phi_1078_ = _e450;
                     }
-                    let _e415 = phi_1025_;
-                    let _e416 = core_intrinsics_maximum_number_nsz_f32_(_e409, _e412);
-                    let _e417 = core_intrinsics_maximum_number_nsz_f32_(_e416, _e415);
-                    let _e421 = (_e417 * 0.0000019073486f);
-                    let _e422 = (abs(_e374) * _e421);
-                    let _e423 = (abs(_e384) * _e421);
-                    let _e424 = (abs(_e394) * _e421);
-                    let _e428 = (_e417 * 0.0000009536743f);
-                    let _e429 = (abs(_e374) * _e428);
-                    let _e430 = (abs(_e384) * _e428);
-                    let _e431 = (abs(_e394) * _e428);
-                    let _e432 = abs(_e233);
-                    let _e433 = abs(_e234);
-                    let _e434 = abs(_e235);
-                    if (_e432 >= _e433) {
-                        if (_e432 >= _e434) {
-                            phi_1053_ = false;
+                    let _e459 = phi_1078_;
+                    let _e460 = core_intrinsics_maximum_number_nsz_f32_(_e453, _e456);
+                    let _e461 = core_intrinsics_maximum_number_nsz_f32_(_e460, _e459);
+                    let _e465 = (_e461 * 0.0000019073486f);
+                    let _e466 = (abs(_e418) * _e465);
+                    let _e467 = (abs(_e428) * _e465);
+                    let _e468 = (abs(_e438) * _e465);
+                    let _e472 = (_e461 * 0.0000009536743f);
+                    let _e473 = (abs(_e418) * _e472);
+                    let _e474 = (abs(_e428) * _e472);
+                    let _e475 = (abs(_e438) * _e472);
+                    let _e476 = abs(_e277);
+                    let _e477 = abs(_e278);
+                    let _e478 = abs(_e279);
+                    if (_e476 >= _e477) {
+                        if (_e476 >= _e478) {
+                            phi_1106_ = false;
                         } else {
-                            phi_1053_ = true;
+                            phi_1106_ = true;
                         }
-                        let _e438 = phi_1053_;
-                        phi_1054_ = _e438;
+                        let _e482 = phi_1106_;
+                        phi_1107_ = _e482;
                     } else {
-                        phi_1054_ = true;
+                        phi_1107_ = true;
                     }
-                    let _e440 = phi_1054_;
-                    if _e440 {
-                        if (_e433 >= _e434) {
-                            phi_1062_ = 1u;
+                    let _e484 = phi_1107_;
+                    if _e484 {
+                        if (_e477 >= _e478) {
+                            phi_1115_ = 1u;
                         } else {
-                            phi_1062_ = 2u;
+                            phi_1115_ = 2u;
                         }
-                        let _e443 = phi_1062_;
-                        phi_1063_ = _e443;
+                        let _e487 = phi_1115_;
+                        phi_1116_ = _e487;
                     } else {
-                        phi_1063_ = 0u;
+                        phi_1116_ = 0u;
                     }
-                    let _e445 = phi_1063_;
-                    if (_e445 == 0u) {
-                        phi_1075_ = vec3<f32>(_e234, _e235, _e233);
+                    let _e489 = phi_1116_;
+                    if (_e489 == 0u) {
+                        phi_1128_ = vec3<f32>(_e278, _e279, _e277);
                     } else {
-                        if (_e445 == 1u) {
-                            phi_1074_ = vec3<f32>(_e235, _e233, _e234);
+                        if (_e489 == 1u) {
+                            phi_1127_ = vec3<f32>(_e279, _e277, _e278);
                         } else {
-                            phi_1074_ = vec3<f32>(_e233, _e234, _e235);
+                            phi_1127_ = vec3<f32>(_e277, _e278, _e279);
                         }
-                        let _e451 = phi_1074_;
-                        phi_1075_ = _e451;
+                        let _e495 = phi_1127_;
+                        phi_1128_ = _e495;
                     }
-                    let _e453 = phi_1075_;
-                    let _e456 = (_e453.x / _e453.z);
-                    let _e459 = (_e453.y / _e453.z);
-                    if (_e374 < 0f) {
-                        phi_1088_ = 0u;
+                    let _e497 = phi_1128_;
+                    let _e500 = (_e497.x / _e497.z);
+                    let _e503 = (_e497.y / _e497.z);
+                    if (_e418 < 0f) {
+                        phi_1141_ = 0u;
                     } else {
-                        phi_1088_ = 1u;
+                        phi_1141_ = 1u;
                     }
-                    let _e464 = phi_1088_;
-                    if (_e384 < 0f) {
-                        phi_1093_ = 0u;
+                    let _e508 = phi_1141_;
+                    if (_e428 < 0f) {
+                        phi_1146_ = 0u;
                     } else {
-                        phi_1093_ = 2u;
+                        phi_1146_ = 2u;
                     }
-                    let _e467 = phi_1093_;
-                    if (_e394 < 0f) {
-                        phi_1098_ = 0u;
+                    let _e511 = phi_1146_;
+                    if (_e438 < 0f) {
+                        phi_1151_ = 0u;
                     } else {
-                        phi_1098_ = 4u;
+                        phi_1151_ = 4u;
                     }
-                    let _e470 = phi_1098_;
-                    let _e472 = ((_e464 | _e467) | _e470);
-                    let _e473 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e473.first[0], _e473.first[1], _e473.first[2], _e473.first[3], _e473.first[4], _e473.first[5], _e473.first[6], _e473.first[7], _e473.first[8], _e473.first[9], _e473.first[10], _e473.first[11], _e473.first[12], _e473.first[13], _e473.first[14], _e473.first[15], _e473.first[16], _e473.first[17], _e473.first[18], _e473.first[19], _e473.first[20], _e473.first[21], _e473.first[22], _e473.first[23], _e473.first[24], _e473.first[25], _e473.first[26], _e473.first[27], _e473.first[28], _e473.first[29], _e473.first[30], _e473.first[31]), array<u32, 32>(_e473.mask[0], _e473.mask[1], _e473.mask[2], _e473.mask[3], _e473.mask[4], _e473.mask[5], _e473.mask[6], _e473.mask[7], _e473.mask[8], _e473.mask[9], _e473.mask[10], _e473.mask[11], _e473.mask[12], _e473.mask[13], _e473.mask[14], _e473.mask[15], _e473.mask[16], _e473.mask[17], _e473.mask[18], _e473.mask[19], _e473.mask[20], _e473.mask[21], _e473.mask[22], _e473.mask[23], _e473.mask[24], _e473.mask[25], _e473.mask[26], _e473.mask[27], _e473.mask[28], _e473.mask[29], _e473.mask[30], _e473.mask[31]), _e473.len, _e473.group, _e473.group_mask);
-                    let _e547 = local_1.group_mask;
-                    if ((_e547 & 4278190080u) == 0u) {
-                        let _e551 = local_1.len;
-                        if (_e551 == 0u) {
-                            phi_1212_ = false;
+                    let _e514 = phi_1151_;
+                    let _e516 = ((_e508 | _e511) | _e514);
+                    let _e517 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e517.first[0], _e517.first[1], _e517.first[2], _e517.first[3], _e517.first[4], _e517.first[5], _e517.first[6], _e517.first[7], _e517.first[8], _e517.first[9], _e517.first[10], _e517.first[11], _e517.first[12], _e517.first[13], _e517.first[14], _e517.first[15], _e517.first[16], _e517.first[17], _e517.first[18], _e517.first[19], _e517.first[20], _e517.first[21], _e517.first[22], _e517.first[23], _e517.first[24], _e517.first[25], _e517.first[26], _e517.first[27], _e517.first[28], _e517.first[29], _e517.first[30], _e517.first[31]), array<u32, 32>(_e517.mask[0], _e517.mask[1], _e517.mask[2], _e517.mask[3], _e517.mask[4], _e517.mask[5], _e517.mask[6], _e517.mask[7], _e517.mask[8], _e517.mask[9], _e517.mask[10], _e517.mask[11], _e517.mask[12], _e517.mask[13], _e517.mask[14], _e517.mask[15], _e517.mask[16], _e517.mask[17], _e517.mask[18], _e517.mask[19], _e517.mask[20], _e517.mask[21], _e517.mask[22], _e517.mask[23], _e517.mask[24], _e517.mask[25], _e517.mask[26], _e517.mask[27], _e517.mask[28], _e517.mask[29], _e517.mask[30], _e517.mask[31]), _e517.len, _e517.group, _e517.group_mask);
+                    let _e591 = local_1.group_mask;
+                    if ((_e591 & 4278190080u) == 0u) {
+                        let _e595 = local_1.len;
+                        if (_e595 == 0u) {
+                            phi_1265_ = false;
                         } else {
-                            let _e555 = local_1.len;
-                            local_1.len = (_e555 - 1u);
-                            let _e558 = local_1.len;
-                            if (_e558 < 32u) {
+                            let _e599 = local_1.len;
+                            local_1.len = (_e599 - 1u);
+                            let _e602 = local_1.len;
+                            if (_e602 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e563 = local_1.first[(0u + _e558)];
-                            local_1.group = _e563;
-                            let _e566 = local_1.len;
-                            if (_e566 < 32u) {
+                            let _e607 = local_1.first[(0u + _e602)];
+                            local_1.group = _e607;
+                            let _e610 = local_1.len;
+                            if (_e610 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e571 = local_1.mask[(0u + _e566)];
-                            local_1.group_mask = _e571;
-                            phi_1212_ = true;
+                            let _e615 = local_1.mask[(0u + _e610)];
+                            local_1.group_mask = _e615;
+                            phi_1265_ = true;
                         }
-                        let _e574 = phi_1212_;
-                        phi_1213_ = _e574;
+                        let _e618 = phi_1265_;
+                        phi_1266_ = _e618;
                     } else {
-                        phi_1213_ = true;
+                        phi_1266_ = true;
                     }
-                    let _e576 = phi_1213_;
-                    if _e576 {
-                        let _e578 = local_1.group_mask;
-                        let _e584 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e578)), 32u, (_e578 == 0u)));
-                        let _e588 = local_1.group_mask;
-                        let _e602 = local_1.group_mask;
-                        local_1.group_mask = (_e602 & ~((1u << bitcast<u32>((_e584 & 31u)))));
-                        let _e605 = local_1.group;
-                        phi_1244_ = (_e605 + countOneBits(((_e588 & ~((4294967295u << bitcast<u32>((((_e584 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e620 = phi_1266_;
+                    if _e620 {
+                        let _e622 = local_1.group_mask;
+                        let _e628 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e622)), 32u, (_e622 == 0u)));
+                        let _e632 = local_1.group_mask;
+                        let _e646 = local_1.group_mask;
+                        local_1.group_mask = (_e646 & ~((1u << bitcast<u32>((_e628 & 31u)))));
+                        let _e649 = local_1.group;
+                        phi_1297_ = (_e649 + countOneBits(((_e632 & ~((4294967295u << bitcast<u32>((((_e628 - 24u) ^ 7u) & 31u))))) & 255u)));
                     } else {
-                        phi_1244_ = 4294967295u;
+                        phi_1297_ = 4294967295u;
                     }
-                    let _e608 = phi_1244_;
-                    phi_1246_ = _e608;
-                    phi_1249_ = false;
+                    let _e652 = phi_1297_;
+                    phi_1299_ = _e652;
+                    phi_1302_ = false;
                     loop {
-                        let _e610 = phi_1246_;
-                        let _e612 = phi_1249_;
-                        local_12 = _e612;
-                        if (_e610 != 4294967295u) {
-                            if (_e610 < _e78) {
+                        let _e654 = phi_1299_;
+                        let _e656 = phi_1302_;
+                        local_12 = _e656;
+                        if (_e654 != 4294967295u) {
+                            if (_e654 < _e78) {
                             } else {
                                 return;
                             }
-                            let _e619 = nodes.member[(0u + _e610)].frame[3u];
-                            let _e644 = (bitcast<f32>((((_e619 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e374);
-                            let _e645 = (bitcast<f32>((((_e619 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e384);
-                            let _e646 = (bitcast<f32>((((_e619 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e394);
-                            let _e649 = nodes.member[(0u + _e610)].frame[0u];
-                            let _e653 = nodes.member[(0u + _e610)].frame[1u];
-                            let _e657 = nodes.member[(0u + _e610)].frame[2u];
-                            let _e662 = ((bitcast<f32>(_e649) - _e217) * _e374);
-                            let _e663 = ((bitcast<f32>(_e653) - _e219) * _e384);
-                            let _e664 = ((bitcast<f32>(_e657) - _e221) * _e394);
-                            let _e672 = nodes.member[(0u + _e610)].x;
-                            if (_e374 < 0f) {
-                                let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e672.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e683.unnamed.root, _e672.w), _e683.unnamed_1);
-                                let _e695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e672.x, _e689.unnamed_1.first_primitive));
-                                phi_1329_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e695.unnamed, lt_bvh_traverse_Tree(_e695.unnamed_1.root, _e672.y));
+                            let _e663 = nodes.member[(0u + _e654)].frame[3u];
+                            let _e688 = (bitcast<f32>((((_e663 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e418);
+                            let _e689 = (bitcast<f32>((((_e663 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e428);
+                            let _e690 = (bitcast<f32>((((_e663 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e438);
+                            let _e693 = nodes.member[(0u + _e654)].frame[0u];
+                            let _e697 = nodes.member[(0u + _e654)].frame[1u];
+                            let _e701 = nodes.member[(0u + _e654)].frame[2u];
+                            let _e706 = ((bitcast<f32>(_e693) - _e259) * _e418);
+                            let _e707 = ((bitcast<f32>(_e697) - _e261) * _e428);
+                            let _e708 = ((bitcast<f32>(_e701) - _e263) * _e438);
+                            let _e716 = nodes.member[(0u + _e654)].x;
+                            if (_e418 < 0f) {
+                                let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e716.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e727.unnamed.root, _e716.w), _e727.unnamed_1);
+                                let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_bvh_traverse_Tree(_e716.x, _e733.unnamed_1.first_primitive));
+                                phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e739.unnamed_1.root, _e716.y));
                             } else {
-                                let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e672.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e711.unnamed.root, _e672.y), _e711.unnamed_1);
-                                let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e672.z, _e717.unnamed_1.first_primitive));
-                                phi_1329_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e723.unnamed, lt_bvh_traverse_Tree(_e723.unnamed_1.root, _e672.w));
+                                let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e716.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e755.unnamed.root, _e716.y), _e755.unnamed_1);
+                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_bvh_traverse_Tree(_e716.z, _e761.unnamed_1.first_primitive));
+                                phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_bvh_traverse_Tree(_e767.unnamed_1.root, _e716.w));
                             }
-                            let _e731 = phi_1329_;
-                            let _e741 = nodes.member[(0u + _e610)].y;
-                            if (_e384 < 0f) {
-                                let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e741.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e752.unnamed.root, _e741.w), _e752.unnamed_1);
-                                let _e764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e741.x, _e758.unnamed_1.first_primitive));
-                                phi_1356_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e764.unnamed, lt_bvh_traverse_Tree(_e764.unnamed_1.root, _e741.y));
+                            let _e775 = phi_1382_;
+                            let _e785 = nodes.member[(0u + _e654)].y;
+                            if (_e428 < 0f) {
+                                let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e785.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e796.unnamed.root, _e785.w), _e796.unnamed_1);
+                                let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_bvh_traverse_Tree(_e785.x, _e802.unnamed_1.first_primitive));
+                                phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e808.unnamed, lt_bvh_traverse_Tree(_e808.unnamed_1.root, _e785.y));
                             } else {
-                                let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e741.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e780.unnamed.root, _e741.y), _e780.unnamed_1);
-                                let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_bvh_traverse_Tree(_e741.z, _e786.unnamed_1.first_primitive));
-                                phi_1356_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e792.unnamed, lt_bvh_traverse_Tree(_e792.unnamed_1.root, _e741.w));
+                                let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e785.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e824.unnamed.root, _e785.y), _e824.unnamed_1);
+                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_bvh_traverse_Tree(_e785.z, _e830.unnamed_1.first_primitive));
+                                phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e836.unnamed, lt_bvh_traverse_Tree(_e836.unnamed_1.root, _e785.w));
                             }
-                            let _e800 = phi_1356_;
-                            let _e810 = nodes.member[(0u + _e610)].z;
-                            if (_e394 < 0f) {
-                                let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e810.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e827 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e821.unnamed.root, _e810.w), _e821.unnamed_1);
-                                let _e833 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e827.unnamed, lt_bvh_traverse_Tree(_e810.x, _e827.unnamed_1.first_primitive));
-                                phi_1383_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e833.unnamed, lt_bvh_traverse_Tree(_e833.unnamed_1.root, _e810.y));
+                            let _e844 = phi_1409_;
+                            let _e854 = nodes.member[(0u + _e654)].z;
+                            if (_e438 < 0f) {
+                                let _e865 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e854.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e871 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e865.unnamed.root, _e854.w), _e865.unnamed_1);
+                                let _e877 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e871.unnamed, lt_bvh_traverse_Tree(_e854.x, _e871.unnamed_1.first_primitive));
+                                phi_1436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e877.unnamed, lt_bvh_traverse_Tree(_e877.unnamed_1.root, _e854.y));
                             } else {
-                                let _e849 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e810.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e855 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e849.unnamed.root, _e810.y), _e849.unnamed_1);
-                                let _e861 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e855.unnamed, lt_bvh_traverse_Tree(_e810.z, _e855.unnamed_1.first_primitive));
-                                phi_1383_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e861.unnamed, lt_bvh_traverse_Tree(_e861.unnamed_1.root, _e810.w));
+                                let _e893 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e854.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e899 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e893.unnamed.root, _e854.y), _e893.unnamed_1);
+                                let _e905 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e899.unnamed, lt_bvh_traverse_Tree(_e854.z, _e899.unnamed_1.first_primitive));
+                                phi_1436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e905.unnamed, lt_bvh_traverse_Tree(_e905.unnamed_1.root, _e854.w));
                             }
-                            let _e869 = phi_1383_;
-                            phi_1389_ = 0u;
-                            phi_1392_ = 0u;
+                            let _e913 = phi_1436_;
+                            phi_1442_ = 0u;
+                            phi_1445_ = 0u;
                             loop {
-                                let _e879 = phi_1389_;
-                                let _e881 = phi_1392_;
-                                local_3 = _e881;
-                                local_4 = _e881;
-                                local_5 = _e881;
-                                let _e882 = (_e879 < 8u);
-                                if _e882 {
-                                    let _e884 = (_e879 >> bitcast<u32>(2i));
-                                    let _e885 = (_e879 & 3u);
-                                    if (_e884 == 0u) {
-                                        phi_1406_ = _e731.unnamed.root;
+                                let _e923 = phi_1442_;
+                                let _e925 = phi_1445_;
+                                local_3 = _e925;
+                                local_4 = _e925;
+                                local_5 = _e925;
+                                let _e926 = (_e923 < 8u);
+                                if _e926 {
+                                    let _e928 = (_e923 >> bitcast<u32>(2i));
+                                    let _e929 = (_e923 & 3u);
+                                    if (_e928 == 0u) {
+                                        phi_1459_ = _e775.unnamed.root;
                                     } else {
-                                        phi_1406_ = _e731.unnamed.first_primitive;
+                                        phi_1459_ = _e775.unnamed.first_primitive;
                                     }
-                                    let _e888 = phi_1406_;
-                                    if (_e884 == 0u) {
-                                        phi_1416_ = _e800.unnamed.root;
+                                    let _e932 = phi_1459_;
+                                    if (_e928 == 0u) {
+                                        phi_1469_ = _e844.unnamed.root;
                                     } else {
-                                        phi_1416_ = _e800.unnamed.first_primitive;
+                                        phi_1469_ = _e844.unnamed.first_primitive;
                                     }
-                                    let _e897 = phi_1416_;
-                                    if (_e884 == 0u) {
-                                        phi_1426_ = _e869.unnamed.root;
+                                    let _e941 = phi_1469_;
+                                    if (_e928 == 0u) {
+                                        phi_1479_ = _e913.unnamed.root;
                                     } else {
-                                        phi_1426_ = _e869.unnamed.first_primitive;
+                                        phi_1479_ = _e913.unnamed.first_primitive;
                                     }
-                                    let _e906 = phi_1426_;
-                                    let _e919 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e888 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e644) + (_e662 - _e422)), ((f32(((_e897 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e645) + (_e663 - _e423)));
-                                    let _e920 = core_intrinsics_maximum_number_nsz_f32_(_e919, ((f32(((_e906 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e646) + (_e664 - _e424)));
-                                    if (_e884 == 0u) {
-                                        phi_1444_ = _e731.unnamed_1.root;
+                                    let _e950 = phi_1479_;
+                                    let _e963 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e932 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e688) + (_e706 - _e466)), ((f32(((_e941 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e689) + (_e707 - _e467)));
+                                    let _e964 = core_intrinsics_maximum_number_nsz_f32_(_e963, ((f32(((_e950 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e690) + (_e708 - _e468)));
+                                    if (_e928 == 0u) {
+                                        phi_1497_ = _e775.unnamed_1.root;
                                     } else {
-                                        phi_1444_ = _e731.unnamed_1.first_primitive;
+                                        phi_1497_ = _e775.unnamed_1.first_primitive;
                                     }
-                                    let _e923 = phi_1444_;
-                                    if (_e884 == 0u) {
-                                        phi_1454_ = _e800.unnamed_1.root;
+                                    let _e967 = phi_1497_;
+                                    if (_e928 == 0u) {
+                                        phi_1507_ = _e844.unnamed_1.root;
                                     } else {
-                                        phi_1454_ = _e800.unnamed_1.first_primitive;
+                                        phi_1507_ = _e844.unnamed_1.first_primitive;
                                     }
-                                    let _e932 = phi_1454_;
-                                    if (_e884 == 0u) {
-                                        phi_1464_ = _e869.unnamed_1.root;
+                                    let _e976 = phi_1507_;
+                                    if (_e928 == 0u) {
+                                        phi_1517_ = _e913.unnamed_1.root;
                                     } else {
-                                        phi_1464_ = _e869.unnamed_1.first_primitive;
+                                        phi_1517_ = _e913.unnamed_1.first_primitive;
                                     }
-                                    let _e941 = phi_1464_;
-                                    let _e954 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e923 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e644) + (_e662 + _e422)), ((f32(((_e932 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e645) + (_e663 + _e423)));
-                                    let _e955 = core_intrinsics_minimum_number_nsz_f32_(_e954, ((f32(((_e941 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e646) + (_e664 + _e424)));
-                                    if (_e920 <= _e955) {
-                                        if (_e920 <= _e225) {
-                                            if (_e955 >= 0f) {
-                                                if (_e884 == 0u) {
-                                                    let _e962 = nodes.member[(0u + _e610)].links[2u];
-                                                    phi_1500_ = _e962;
+                                    let _e985 = phi_1517_;
+                                    let _e998 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e967 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e688) + (_e706 + _e466)), ((f32(((_e976 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e689) + (_e707 + _e467)));
+                                    let _e999 = core_intrinsics_minimum_number_nsz_f32_(_e998, ((f32(((_e985 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e690) + (_e708 + _e468)));
+                                    if (_e964 <= _e999) {
+                                        if (_e964 <= _e269) {
+                                            if (_e999 >= 0f) {
+                                                if (_e928 == 0u) {
+                                                    let _e1006 = nodes.member[(0u + _e654)].links[2u];
+                                                    phi_1553_ = _e1006;
                                                 } else {
-                                                    let _e965 = nodes.member[(0u + _e610)].links[3u];
-                                                    phi_1500_ = _e965;
+                                                    let _e1009 = nodes.member[(0u + _e654)].links[3u];
+                                                    phi_1553_ = _e1009;
                                                 }
-                                                let _e967 = phi_1500_;
-                                                let _e972 = ((_e967 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u);
-                                                let _e973 = (_e972 & 31u);
-                                                if (_e973 >= 24u) {
-                                                    phi_1513_ = (24u + ((_e973 - 24u) ^ _e472));
+                                                let _e1011 = phi_1553_;
+                                                let _e1016 = ((_e1011 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u);
+                                                let _e1017 = (_e1016 & 31u);
+                                                if (_e1017 >= 24u) {
+                                                    phi_1566_ = (24u + ((_e1017 - 24u) ^ _e516));
                                                 } else {
-                                                    phi_1513_ = _e973;
+                                                    phi_1566_ = _e1017;
                                                 }
-                                                let _e979 = phi_1513_;
-                                                phi_1518_ = (_e881 | ((_e972 >> bitcast<u32>(5i)) << bitcast<u32>((_e979 & 31u))));
+                                                let _e1023 = phi_1566_;
+                                                phi_1571_ = (_e925 | ((_e1016 >> bitcast<u32>(5i)) << bitcast<u32>((_e1023 & 31u))));
                                             } else {
-                                                phi_1518_ = _e881;
+                                                phi_1571_ = _e925;
                                             }
-                                            let _e987 = phi_1518_;
-                                            phi_1519_ = _e987;
+                                            let _e1031 = phi_1571_;
+                                            phi_1572_ = _e1031;
                                         } else {
-                                            phi_1519_ = _e881;
+                                            phi_1572_ = _e925;
                                         }
-                                        let _e989 = phi_1519_;
-                                        phi_1520_ = _e989;
+                                        let _e1033 = phi_1572_;
+                                        phi_1573_ = _e1033;
                                     } else {
-                                        phi_1520_ = _e881;
+                                        phi_1573_ = _e925;
                                     }
-                                    let _e991 = phi_1520_;
-                                    phi_1390_ = (_e879 + 1u);
-                                    phi_1393_ = _e991;
+                                    let _e1035 = phi_1573_;
+                                    phi_1443_ = (_e923 + 1u);
+                                    phi_1446_ = _e1035;
                                 } else {
-                                    phi_1390_ = u32();
-                                    phi_1393_ = u32();
+                                    phi_1443_ = u32();
+                                    phi_1446_ = u32();
                                 }
-                                let _e994 = phi_1390_;
-                                let _e996 = phi_1393_;
+                                let _e1038 = phi_1443_;
+                                let _e1040 = phi_1446_;
                                 continue;
                                 continuing {
-                                    phi_1389_ = _e994;
-                                    phi_1392_ = _e996;
-                                    break if !(_e882);
+                                    phi_1442_ = _e1038;
+                                    phi_1445_ = _e1040;
+                                    break if !(_e926);
                                 }
                             }
-                            let _e1000 = nodes.member[(0u + _e610)].links[0u];
-                            let _e1004 = nodes.member[(0u + _e610)].frame[3u];
-                            let _e1008 = local_3;
-                            if ((_e1008 & 4278190080u) == 0u) {
+                            let _e1044 = nodes.member[(0u + _e654)].links[0u];
+                            let _e1048 = nodes.member[(0u + _e654)].frame[3u];
+                            let _e1052 = local_3;
+                            if ((_e1052 & 4278190080u) == 0u) {
                             } else {
-                                let _e1012 = local_1.group_mask;
-                                if ((_e1012 & 4278190080u) == 0u) {
+                                let _e1056 = local_1.group_mask;
+                                if ((_e1056 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e1016 = local_1.len;
-                                    if (_e1016 < 32u) {
-                                        let _e1019 = local_1.group;
-                                        let _e1021 = local_1.len;
-                                        if (_e1021 < 32u) {
+                                    let _e1060 = local_1.len;
+                                    if (_e1060 < 32u) {
+                                        let _e1063 = local_1.group;
+                                        let _e1065 = local_1.len;
+                                        if (_e1065 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.first[(0u + _e1021)] = _e1019;
-                                        let _e1027 = local_1.group_mask;
-                                        let _e1029 = local_1.len;
-                                        if (_e1029 < 32u) {
+                                        local_1.first[(0u + _e1065)] = _e1063;
+                                        let _e1071 = local_1.group_mask;
+                                        let _e1073 = local_1.len;
+                                        if (_e1073 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.mask[(0u + _e1029)] = _e1027;
-                                        let _e1036 = local_1.len;
-                                        local_1.len = (_e1036 + 1u);
+                                        local_1.mask[(0u + _e1073)] = _e1071;
+                                        let _e1080 = local_1.len;
+                                        local_1.len = (_e1080 + 1u);
                                     }
                                 }
-                                local_1.group = (0u + _e1000);
-                                let _e1040 = local_4;
-                                local_1.group_mask = ((_e1040 & 4278190080u) | (_e1004 >> bitcast<u32>(24i)));
+                                local_1.group = (0u + _e1044);
+                                let _e1084 = local_4;
+                                local_1.group_mask = ((_e1084 & 4278190080u) | (_e1048 >> bitcast<u32>(24i)));
                             }
-                            let _e1045 = local_5;
-                            phi_1578_ = (_e1045 & 16777215u);
-                            phi_1581_ = _e612;
+                            let _e1089 = local_5;
+                            phi_1631_ = (_e1089 & 16777215u);
+                            phi_1634_ = _e656;
                             loop {
-                                let _e1048 = phi_1578_;
-                                let _e1050 = phi_1581_;
-                                local_8 = _e1050;
-                                let _e1051 = (_e1048 == 0u);
-                                local_6 = _e1051;
-                                local_10 = _e1051;
-                                if _e1051 {
-                                    phi_1579_ = u32();
-                                    phi_1582_ = bool();
-                                    phi_2385_ = bool();
-                                    phi_2386_ = false;
+                                let _e1092 = phi_1631_;
+                                let _e1094 = phi_1634_;
+                                local_8 = _e1094;
+                                let _e1095 = (_e1092 == 0u);
+                                local_6 = _e1095;
+                                local_10 = _e1095;
+                                if _e1095 {
+                                    phi_1632_ = u32();
+                                    phi_1635_ = bool();
+                                    phi_2438_ = bool();
+                                    phi_2439_ = false;
                                 } else {
-                                    let _e1054 = nodes.member[(0u + _e610)].links[1u];
-                                    let _e1059 = ((0u + _e1054) + select(firstTrailingBit(_e1048), 32u, (_e1048 == 0u)));
-                                    if (_e1059 < _e81) {
+                                    let _e1098 = nodes.member[(0u + _e654)].links[1u];
+                                    let _e1103 = ((0u + _e1098) + select(firstTrailingBit(_e1092), 32u, (_e1092 == 0u)));
+                                    if (_e1103 < _e81) {
                                     } else {
                                         return;
                                     }
-                                    let _e1066 = triangles.member[(0u + _e1059)].v0_;
-                                    let _e1068 = (_e1066.x - _e217);
-                                    let _e1070 = (_e1066.y - _e219);
-                                    let _e1072 = (_e1066.z - _e221);
-                                    if (_e445 == 0u) {
-                                        phi_1626_ = vec3<f32>(_e1070, _e1072, _e1068);
+                                    let _e1110 = triangles.member[(0u + _e1103)].v0_;
+                                    let _e1112 = (_e1110.x - _e259);
+                                    let _e1114 = (_e1110.y - _e261);
+                                    let _e1116 = (_e1110.z - _e263);
+                                    if (_e489 == 0u) {
+                                        phi_1679_ = vec3<f32>(_e1114, _e1116, _e1112);
                                     } else {
-                                        if (_e445 == 1u) {
-                                            phi_1625_ = vec3<f32>(_e1072, _e1068, _e1070);
+                                        if (_e489 == 1u) {
+                                            phi_1678_ = vec3<f32>(_e1116, _e1112, _e1114);
                                         } else {
-                                            phi_1625_ = (_e1066 - vec3<f32>(_e217, _e219, _e221));
+                                            phi_1678_ = (_e1110 - vec3<f32>(_e259, _e261, _e263));
                                         }
-                                        let _e1080 = phi_1625_;
-                                        phi_1626_ = _e1080;
+                                        let _e1124 = phi_1678_;
+                                        phi_1679_ = _e1124;
                                     }
-                                    let _e1082 = phi_1626_;
-                                    let _e1086 = (_e1082.x - (_e456 * _e1082.z));
-                                    let _e1090 = (_e1082.y - (_e459 * _e1082.z));
-                                    let _e1092 = triangles.member[(0u + _e1059)].v1_;
-                                    let _e1094 = (_e1092.x - _e217);
-                                    let _e1096 = (_e1092.y - _e219);
-                                    let _e1098 = (_e1092.z - _e221);
-                                    if (_e445 == 0u) {
-                                        phi_1656_ = vec3<f32>(_e1096, _e1098, _e1094);
+                                    let _e1126 = phi_1679_;
+                                    let _e1130 = (_e1126.x - (_e500 * _e1126.z));
+                                    let _e1134 = (_e1126.y - (_e503 * _e1126.z));
+                                    let _e1136 = triangles.member[(0u + _e1103)].v1_;
+                                    let _e1138 = (_e1136.x - _e259);
+                                    let _e1140 = (_e1136.y - _e261);
+                                    let _e1142 = (_e1136.z - _e263);
+                                    if (_e489 == 0u) {
+                                        phi_1709_ = vec3<f32>(_e1140, _e1142, _e1138);
                                     } else {
-                                        if (_e445 == 1u) {
-                                            phi_1655_ = vec3<f32>(_e1098, _e1094, _e1096);
+                                        if (_e489 == 1u) {
+                                            phi_1708_ = vec3<f32>(_e1142, _e1138, _e1140);
                                         } else {
-                                            phi_1655_ = (_e1092 - vec3<f32>(_e217, _e219, _e221));
+                                            phi_1708_ = (_e1136 - vec3<f32>(_e259, _e261, _e263));
                                         }
-                                        let _e1106 = phi_1655_;
-                                        phi_1656_ = _e1106;
+                                        let _e1150 = phi_1708_;
+                                        phi_1709_ = _e1150;
                                     }
-                                    let _e1108 = phi_1656_;
-                                    let _e1112 = (_e1108.x - (_e456 * _e1108.z));
-                                    let _e1116 = (_e1108.y - (_e459 * _e1108.z));
-                                    let _e1118 = triangles.member[(0u + _e1059)].v2_;
-                                    let _e1120 = (_e1118.x - _e217);
-                                    let _e1122 = (_e1118.y - _e219);
-                                    let _e1124 = (_e1118.z - _e221);
-                                    if (_e445 == 0u) {
-                                        phi_1686_ = vec3<f32>(_e1122, _e1124, _e1120);
+                                    let _e1152 = phi_1709_;
+                                    let _e1156 = (_e1152.x - (_e500 * _e1152.z));
+                                    let _e1160 = (_e1152.y - (_e503 * _e1152.z));
+                                    let _e1162 = triangles.member[(0u + _e1103)].v2_;
+                                    let _e1164 = (_e1162.x - _e259);
+                                    let _e1166 = (_e1162.y - _e261);
+                                    let _e1168 = (_e1162.z - _e263);
+                                    if (_e489 == 0u) {
+                                        phi_1739_ = vec3<f32>(_e1166, _e1168, _e1164);
                                     } else {
-                                        if (_e445 == 1u) {
-                                            phi_1685_ = vec3<f32>(_e1124, _e1120, _e1122);
+                                        if (_e489 == 1u) {
+                                            phi_1738_ = vec3<f32>(_e1168, _e1164, _e1166);
                                         } else {
-                                            phi_1685_ = (_e1118 - vec3<f32>(_e217, _e219, _e221));
+                                            phi_1738_ = (_e1162 - vec3<f32>(_e259, _e261, _e263));
                                         }
-                                        let _e1132 = phi_1685_;
-                                        phi_1686_ = _e1132;
+                                        let _e1176 = phi_1738_;
+                                        phi_1739_ = _e1176;
                                     }
-                                    let _e1134 = phi_1686_;
-                                    let _e1138 = (_e1134.x - (_e456 * _e1134.z));
-                                    let _e1142 = (_e1134.y - (_e459 * _e1134.z));
-                                    if (_e1112 < _e1138) {
-                                        phi_1705_ = true;
+                                    let _e1178 = phi_1739_;
+                                    let _e1182 = (_e1178.x - (_e500 * _e1178.z));
+                                    let _e1186 = (_e1178.y - (_e503 * _e1178.z));
+                                    if (_e1156 < _e1182) {
+                                        phi_1758_ = true;
                                     } else {
-                                        if (_e1112 == _e1138) {
-                                            phi_1704_ = (_e1116 < _e1142);
+                                        if (_e1156 == _e1182) {
+                                            phi_1757_ = (_e1160 < _e1186);
                                         } else {
-                                            phi_1704_ = false;
+                                            phi_1757_ = false;
                                         }
-                                        let _e1147 = phi_1704_;
-                                        phi_1705_ = _e1147;
+                                        let _e1191 = phi_1757_;
+                                        phi_1758_ = _e1191;
                                     }
-                                    let _e1149 = phi_1705_;
-                                    if _e1149 {
-                                        phi_1709_ = _e1142;
-                                        phi_1710_ = _e1138;
-                                        phi_1711_ = _e1116;
-                                        phi_1712_ = _e1112;
+                                    let _e1193 = phi_1758_;
+                                    if _e1193 {
+                                        phi_1762_ = _e1186;
+                                        phi_1763_ = _e1182;
+                                        phi_1764_ = _e1160;
+                                        phi_1765_ = _e1156;
                                     } else {
-                                        phi_1709_ = _e1116;
-                                        phi_1710_ = _e1112;
-                                        phi_1711_ = _e1142;
-                                        phi_1712_ = _e1138;
+                                        phi_1762_ = _e1160;
+                                        phi_1763_ = _e1156;
+                                        phi_1764_ = _e1186;
+                                        phi_1765_ = _e1182;
                                     }
-                                    let _e1151 = phi_1709_;
-                                    let _e1153 = phi_1710_;
-                                    let _e1155 = phi_1711_;
-                                    let _e1157 = phi_1712_;
-                                    let _e1160 = ((_e1157 * _e1151) - (_e1155 * _e1153));
-                                    if _e1149 {
-                                        phi_1720_ = -(_e1160);
-                                    } else {
-                                        phi_1720_ = _e1160;
-                                    }
-                                    let _e1163 = phi_1720_;
-                                    if (_e1138 < _e1086) {
-                                        phi_1731_ = true;
-                                    } else {
-                                        if (_e1138 == _e1086) {
-                                            phi_1730_ = (_e1142 < _e1090);
-                                        } else {
-                                            phi_1730_ = false;
-                                        }
-                                        let _e1168 = phi_1730_;
-                                        phi_1731_ = _e1168;
-                                    }
-                                    let _e1170 = phi_1731_;
-                                    if _e1170 {
-                                        phi_1735_ = _e1090;
-                                        phi_1736_ = _e1086;
-                                        phi_1737_ = _e1142;
-                                        phi_1738_ = _e1138;
-                                    } else {
-                                        phi_1735_ = _e1142;
-                                        phi_1736_ = _e1138;
-                                        phi_1737_ = _e1090;
-                                        phi_1738_ = _e1086;
-                                    }
-                                    let _e1172 = phi_1735_;
-                                    let _e1174 = phi_1736_;
-                                    let _e1176 = phi_1737_;
-                                    let _e1178 = phi_1738_;
-                                    let _e1181 = ((_e1178 * _e1172) - (_e1176 * _e1174));
-                                    if _e1170 {
-                                        phi_1746_ = -(_e1181);
-                                    } else {
-                                        phi_1746_ = _e1181;
-                                    }
-                                    let _e1184 = phi_1746_;
-                                    if (_e1086 < _e1112) {
-                                        phi_1757_ = true;
-                                    } else {
-                                        if (_e1086 == _e1112) {
-                                            phi_1756_ = (_e1090 < _e1116);
-                                        } else {
-                                            phi_1756_ = false;
-                                        }
-                                        let _e1189 = phi_1756_;
-                                        phi_1757_ = _e1189;
-                                    }
-                                    let _e1191 = phi_1757_;
-                                    if _e1191 {
-                                        phi_1761_ = _e1116;
-                                        phi_1762_ = _e1112;
-                                        phi_1763_ = _e1090;
-                                        phi_1764_ = _e1086;
-                                    } else {
-                                        phi_1761_ = _e1090;
-                                        phi_1762_ = _e1086;
-                                        phi_1763_ = _e1116;
-                                        phi_1764_ = _e1112;
-                                    }
-                                    let _e1193 = phi_1761_;
                                     let _e1195 = phi_1762_;
                                     let _e1197 = phi_1763_;
                                     let _e1199 = phi_1764_;
-                                    let _e1202 = ((_e1199 * _e1193) - (_e1197 * _e1195));
-                                    if _e1191 {
-                                        phi_1772_ = -(_e1202);
+                                    let _e1201 = phi_1765_;
+                                    let _e1204 = ((_e1201 * _e1195) - (_e1199 * _e1197));
+                                    if _e1193 {
+                                        phi_1773_ = -(_e1204);
                                     } else {
-                                        phi_1772_ = _e1202;
+                                        phi_1773_ = _e1204;
                                     }
-                                    let _e1205 = phi_1772_;
-                                    if (_e1163 >= 0f) {
-                                        if (_e1184 >= 0f) {
-                                            if (_e1205 >= 0f) {
-                                                phi_1787_ = ((_e1163 + _e1184) + _e1205);
-                                                phi_1788_ = false;
-                                            } else {
-                                                phi_1787_ = f32();
-                                                phi_1788_ = true;
-                                            }
-                                            let _e1212 = phi_1787_;
-                                            let _e1214 = phi_1788_;
-                                            phi_1789_ = _e1212;
-                                            phi_1790_ = _e1214;
+                                    let _e1207 = phi_1773_;
+                                    if (_e1182 < _e1130) {
+                                        phi_1784_ = true;
+                                    } else {
+                                        if (_e1182 == _e1130) {
+                                            phi_1783_ = (_e1186 < _e1134);
                                         } else {
-                                            phi_1789_ = f32();
-                                            phi_1790_ = true;
+                                            phi_1783_ = false;
                                         }
-                                        let _e1216 = phi_1789_;
-                                        let _e1218 = phi_1790_;
-                                        phi_1791_ = _e1216;
-                                        phi_1792_ = _e1218;
-                                    } else {
-                                        phi_1791_ = f32();
-                                        phi_1792_ = true;
+                                        let _e1212 = phi_1783_;
+                                        phi_1784_ = _e1212;
                                     }
-                                    let _e1220 = phi_1791_;
-                                    let _e1222 = phi_1792_;
-                                    if _e1222 {
-                                        if (_e1163 <= 0f) {
-                                            if (_e1184 <= 0f) {
-                                                let _e1225 = (_e1205 <= 0f);
-                                                if _e1225 {
-                                                }
-                                                phi_1810_ = ((_e1163 + _e1184) + _e1205);
-                                                phi_1811_ = false;
-                                                phi_1812_ = _e1225;
-                                            } else {
-                                                phi_1810_ = f32();
-                                                phi_1811_ = true;
-                                                phi_1812_ = false;
-                                            }
-                                            let _e1229 = phi_1810_;
-                                            let _e1231 = phi_1811_;
-                                            let _e1233 = phi_1812_;
-                                            phi_1813_ = _e1229;
-                                            phi_1814_ = _e1231;
-                                            phi_1815_ = _e1233;
+                                    let _e1214 = phi_1784_;
+                                    if _e1214 {
+                                        phi_1788_ = _e1134;
+                                        phi_1789_ = _e1130;
+                                        phi_1790_ = _e1186;
+                                        phi_1791_ = _e1182;
+                                    } else {
+                                        phi_1788_ = _e1186;
+                                        phi_1789_ = _e1182;
+                                        phi_1790_ = _e1134;
+                                        phi_1791_ = _e1130;
+                                    }
+                                    let _e1216 = phi_1788_;
+                                    let _e1218 = phi_1789_;
+                                    let _e1220 = phi_1790_;
+                                    let _e1222 = phi_1791_;
+                                    let _e1225 = ((_e1222 * _e1216) - (_e1220 * _e1218));
+                                    if _e1214 {
+                                        phi_1799_ = -(_e1225);
+                                    } else {
+                                        phi_1799_ = _e1225;
+                                    }
+                                    let _e1228 = phi_1799_;
+                                    if (_e1130 < _e1156) {
+                                        phi_1810_ = true;
+                                    } else {
+                                        if (_e1130 == _e1156) {
+                                            phi_1809_ = (_e1134 < _e1160);
                                         } else {
-                                            phi_1813_ = f32();
-                                            phi_1814_ = true;
-                                            phi_1815_ = false;
+                                            phi_1809_ = false;
                                         }
-                                        let _e1235 = phi_1813_;
-                                        let _e1237 = phi_1814_;
-                                        let _e1239 = phi_1815_;
-                                        if _e1237 {
-                                            phi_1819_ = false;
+                                        let _e1233 = phi_1809_;
+                                        phi_1810_ = _e1233;
+                                    }
+                                    let _e1235 = phi_1810_;
+                                    if _e1235 {
+                                        phi_1814_ = _e1160;
+                                        phi_1815_ = _e1156;
+                                        phi_1816_ = _e1134;
+                                        phi_1817_ = _e1130;
+                                    } else {
+                                        phi_1814_ = _e1134;
+                                        phi_1815_ = _e1130;
+                                        phi_1816_ = _e1160;
+                                        phi_1817_ = _e1156;
+                                    }
+                                    let _e1237 = phi_1814_;
+                                    let _e1239 = phi_1815_;
+                                    let _e1241 = phi_1816_;
+                                    let _e1243 = phi_1817_;
+                                    let _e1246 = ((_e1243 * _e1237) - (_e1241 * _e1239));
+                                    if _e1235 {
+                                        phi_1825_ = -(_e1246);
+                                    } else {
+                                        phi_1825_ = _e1246;
+                                    }
+                                    let _e1249 = phi_1825_;
+                                    if (_e1207 >= 0f) {
+                                        if (_e1228 >= 0f) {
+                                            if (_e1249 >= 0f) {
+                                                phi_1840_ = ((_e1207 + _e1228) + _e1249);
+                                                phi_1841_ = false;
+                                            } else {
+                                                phi_1840_ = f32();
+                                                phi_1841_ = true;
+                                            }
+                                            let _e1256 = phi_1840_;
+                                            let _e1258 = phi_1841_;
+                                            phi_1842_ = _e1256;
+                                            phi_1843_ = _e1258;
                                         } else {
-                                            phi_1819_ = _e1239;
+                                            phi_1842_ = f32();
+                                            phi_1843_ = true;
                                         }
-                                        let _e1241 = phi_1819_;
-                                        phi_1820_ = _e1235;
-                                        phi_1821_ = _e1241;
+                                        let _e1260 = phi_1842_;
+                                        let _e1262 = phi_1843_;
+                                        phi_1844_ = _e1260;
+                                        phi_1845_ = _e1262;
                                     } else {
-                                        phi_1820_ = _e1220;
-                                        phi_1821_ = true;
+                                        phi_1844_ = f32();
+                                        phi_1845_ = true;
                                     }
-                                    let _e1243 = phi_1820_;
-                                    let _e1245 = phi_1821_;
-                                    if _e1245 {
-                                        let _e1246 = (_e1243 == 0f);
-                                        if _e1246 {
-                                            phi_2137_ = lt_bvh_triangle_Intersection();
-                                            phi_2138_ = false;
+                                    let _e1264 = phi_1844_;
+                                    let _e1266 = phi_1845_;
+                                    if _e1266 {
+                                        if (_e1207 <= 0f) {
+                                            if (_e1228 <= 0f) {
+                                                let _e1269 = (_e1249 <= 0f);
+                                                if _e1269 {
+                                                }
+                                                phi_1863_ = ((_e1207 + _e1228) + _e1249);
+                                                phi_1864_ = false;
+                                                phi_1865_ = _e1269;
+                                            } else {
+                                                phi_1863_ = f32();
+                                                phi_1864_ = true;
+                                                phi_1865_ = false;
+                                            }
+                                            let _e1273 = phi_1863_;
+                                            let _e1275 = phi_1864_;
+                                            let _e1277 = phi_1865_;
+                                            phi_1866_ = _e1273;
+                                            phi_1867_ = _e1275;
+                                            phi_1868_ = _e1277;
                                         } else {
-                                            let _e1248 = triangles.member[(0u + _e1059)].v0_;
-                                            let _e1250 = (_e1248.x - _e217);
-                                            let _e1252 = (_e1248.y - _e219);
-                                            let _e1254 = (_e1248.z - _e221);
-                                            if (_e445 == 0u) {
-                                                phi_1850_ = vec3<f32>(_e1252, _e1254, _e1250);
-                                            } else {
-                                                if (_e445 == 1u) {
-                                                    phi_1849_ = vec3<f32>(_e1254, _e1250, _e1252);
-                                                } else {
-                                                    phi_1849_ = (_e1248 - vec3<f32>(_e217, _e219, _e221));
-                                                }
-                                                let _e1262 = phi_1849_;
-                                                phi_1850_ = _e1262;
-                                            }
-                                            let _e1264 = phi_1850_;
-                                            let _e1266 = triangles.member[(0u + _e1059)].v1_;
-                                            let _e1268 = triangles.member[(0u + _e1059)].v0_;
-                                            let _e1271 = (_e1266.x - _e1268.x);
-                                            let _e1274 = (_e1266.y - _e1268.y);
-                                            let _e1277 = (_e1266.z - _e1268.z);
-                                            if (_e445 == 0u) {
-                                                phi_1876_ = vec3<f32>(_e1274, _e1277, _e1271);
-                                            } else {
-                                                if (_e445 == 1u) {
-                                                    phi_1875_ = vec3<f32>(_e1277, _e1271, _e1274);
-                                                } else {
-                                                    phi_1875_ = (_e1266 - _e1268);
-                                                }
-                                                let _e1284 = phi_1875_;
-                                                phi_1876_ = _e1284;
-                                            }
-                                            let _e1286 = phi_1876_;
-                                            let _e1288 = triangles.member[(0u + _e1059)].v2_;
-                                            let _e1290 = triangles.member[(0u + _e1059)].v0_;
-                                            let _e1293 = (_e1288.x - _e1290.x);
-                                            let _e1296 = (_e1288.y - _e1290.y);
-                                            let _e1299 = (_e1288.z - _e1290.z);
-                                            if (_e445 == 0u) {
-                                                phi_1902_ = vec3<f32>(_e1296, _e1299, _e1293);
-                                            } else {
-                                                if (_e445 == 1u) {
-                                                    phi_1901_ = vec3<f32>(_e1299, _e1293, _e1296);
-                                                } else {
-                                                    phi_1901_ = (_e1288 - _e1290);
-                                                }
-                                                let _e1306 = phi_1901_;
-                                                phi_1902_ = _e1306;
-                                            }
-                                            let _e1308 = phi_1902_;
-                                            let _e1315 = ((_e1286.y * _e1308.z) - (_e1286.z * _e1308.y));
-                                            let _e1322 = ((_e1286.z * _e1308.x) - (_e1286.x * _e1308.z));
-                                            let _e1329 = ((_e1286.x * _e1308.y) - (_e1286.y * _e1308.x));
-                                            let _e1343 = (((1f / _e453.z) * (((_e1315 * _e1264.x) + (_e1322 * _e1264.y)) + (_e1329 * _e1264.z))) / (((_e1315 * _e456) + (_e1322 * _e459)) + _e1329));
-                                            if (_e1343 > 0f) {
-                                                if (_e1343 < _e225) {
-                                                    let _e1347 = triangles.member[(0u + _e1059)].v0_;
-                                                    let _e1349 = triangles.member[(0u + _e1059)].v1_;
-                                                    if (_e1347.x < _e1349.x) {
-                                                        phi_1958_ = _e1347.x;
-                                                    } else {
-                                                        phi_1958_ = _e1349.x;
-                                                    }
-                                                    let _e1356 = phi_1958_;
-                                                    if (_e1347.y < _e1349.y) {
-                                                        phi_1967_ = _e1347.y;
-                                                    } else {
-                                                        phi_1967_ = _e1349.y;
-                                                    }
-                                                    let _e1363 = phi_1967_;
-                                                    if (_e1347.z < _e1349.z) {
-                                                        phi_1976_ = _e1347.z;
-                                                    } else {
-                                                        phi_1976_ = _e1349.z;
-                                                    }
-                                                    let _e1370 = phi_1976_;
-                                                    let _e1372 = triangles.member[(0u + _e1059)].v2_;
-                                                    if (_e1356 < _e1372.x) {
-                                                        phi_1985_ = _e1356;
-                                                    } else {
-                                                        phi_1985_ = _e1372.x;
-                                                    }
-                                                    let _e1377 = phi_1985_;
-                                                    if (_e1363 < _e1372.y) {
-                                                        phi_1992_ = _e1363;
-                                                    } else {
-                                                        phi_1992_ = _e1372.y;
-                                                    }
-                                                    let _e1382 = phi_1992_;
-                                                    if (_e1370 < _e1372.z) {
-                                                        phi_1999_ = _e1370;
-                                                    } else {
-                                                        phi_1999_ = _e1372.z;
-                                                    }
-                                                    let _e1387 = phi_1999_;
-                                                    let _e1389 = triangles.member[(0u + _e1059)].v0_;
-                                                    let _e1391 = triangles.member[(0u + _e1059)].v1_;
-                                                    if (_e1389.x > _e1391.x) {
-                                                        phi_2012_ = _e1389.x;
-                                                    } else {
-                                                        phi_2012_ = _e1391.x;
-                                                    }
-                                                    let _e1398 = phi_2012_;
-                                                    if (_e1389.y > _e1391.y) {
-                                                        phi_2021_ = _e1389.y;
-                                                    } else {
-                                                        phi_2021_ = _e1391.y;
-                                                    }
-                                                    let _e1405 = phi_2021_;
-                                                    if (_e1389.z > _e1391.z) {
-                                                        phi_2030_ = _e1389.z;
-                                                    } else {
-                                                        phi_2030_ = _e1391.z;
-                                                    }
-                                                    let _e1412 = phi_2030_;
-                                                    let _e1414 = triangles.member[(0u + _e1059)].v2_;
-                                                    if (_e1398 > _e1414.x) {
-                                                        phi_2039_ = _e1398;
-                                                    } else {
-                                                        phi_2039_ = _e1414.x;
-                                                    }
-                                                    let _e1419 = phi_2039_;
-                                                    if (_e1405 > _e1414.y) {
-                                                        phi_2046_ = _e1405;
-                                                    } else {
-                                                        phi_2046_ = _e1414.y;
-                                                    }
-                                                    let _e1424 = phi_2046_;
-                                                    if (_e1412 > _e1414.z) {
-                                                        phi_2053_ = _e1412;
-                                                    } else {
-                                                        phi_2053_ = _e1414.z;
-                                                    }
-                                                    let _e1429 = phi_2053_;
-                                                    let _e1433 = ((_e1377 - _e217) * _e374);
-                                                    let _e1434 = ((_e1382 - _e219) * _e384);
-                                                    let _e1435 = ((_e1387 - _e221) * _e394);
-                                                    let _e1439 = ((_e1419 - _e217) * _e374);
-                                                    let _e1440 = ((_e1424 - _e219) * _e384);
-                                                    let _e1441 = ((_e1429 - _e221) * _e394);
-                                                    if (_e1433 < _e1439) {
-                                                        phi_2070_ = _e1433;
-                                                    } else {
-                                                        phi_2070_ = _e1439;
-                                                    }
-                                                    let _e1444 = phi_2070_;
-                                                    if (_e1434 < _e1440) {
-                                                        phi_2075_ = _e1434;
-                                                    } else {
-                                                        phi_2075_ = _e1440;
-                                                    }
-                                                    let _e1447 = phi_2075_;
-                                                    if (_e1435 < _e1441) {
-                                                        phi_2080_ = _e1435;
-                                                    } else {
-                                                        phi_2080_ = _e1441;
-                                                    }
-                                                    let _e1450 = phi_2080_;
-                                                    if (_e1433 > _e1439) {
-                                                        phi_2088_ = _e1433;
-                                                    } else {
-                                                        phi_2088_ = _e1439;
-                                                    }
-                                                    let _e1456 = phi_2088_;
-                                                    if (_e1434 > _e1440) {
-                                                        phi_2093_ = _e1434;
-                                                    } else {
-                                                        phi_2093_ = _e1440;
-                                                    }
-                                                    let _e1459 = phi_2093_;
-                                                    if (_e1435 > _e1441) {
-                                                        phi_2098_ = _e1435;
-                                                    } else {
-                                                        phi_2098_ = _e1441;
-                                                    }
-                                                    let _e1462 = phi_2098_;
-                                                    let _e1466 = core_intrinsics_maximum_number_nsz_f32_((_e1444 - _e429), (_e1447 - _e430));
-                                                    let _e1467 = core_intrinsics_maximum_number_nsz_f32_(_e1466, (_e1450 - _e431));
-                                                    let _e1468 = core_intrinsics_minimum_number_nsz_f32_((_e1456 + _e429), (_e1459 + _e430));
-                                                    let _e1469 = core_intrinsics_minimum_number_nsz_f32_(_e1468, (_e1462 + _e431));
-                                                    if (_e1467 > -300000000000000000000000000000000000000f) {
-                                                        phi_2110_ = _e1467;
-                                                    } else {
-                                                        phi_2110_ = -300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1472 = phi_2110_;
-                                                    if (_e1469 < 300000000000000000000000000000000000000f) {
-                                                        phi_2115_ = _e1469;
-                                                    } else {
-                                                        phi_2115_ = 300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1475 = phi_2115_;
-                                                    if (_e1343 < _e1472) {
-                                                        phi_2120_ = _e1472;
-                                                    } else {
-                                                        phi_2120_ = _e1343;
-                                                    }
-                                                    let _e1478 = phi_2120_;
-                                                    if (_e1478 > _e1475) {
-                                                        phi_2125_ = _e1475;
-                                                    } else {
-                                                        phi_2125_ = _e1478;
-                                                    }
-                                                    let _e1481 = phi_2125_;
-                                                    phi_2130_ = lt_bvh_triangle_Intersection(_e1481, (_e1184 / _e1243), (_e1205 / _e1243), (_e1472 <= _e1475));
-                                                    phi_2131_ = false;
-                                                } else {
-                                                    phi_2130_ = lt_bvh_triangle_Intersection();
-                                                    phi_2131_ = true;
-                                                }
-                                                let _e1487 = phi_2130_;
-                                                let _e1489 = phi_2131_;
-                                                phi_2132_ = _e1487;
-                                                phi_2133_ = _e1489;
-                                            } else {
-                                                phi_2132_ = lt_bvh_triangle_Intersection();
-                                                phi_2133_ = true;
-                                            }
-                                            let _e1491 = phi_2132_;
-                                            let _e1493 = phi_2133_;
-                                            if _e1493 {
-                                            }
-                                            phi_2137_ = _e1491;
-                                            phi_2138_ = _e1493;
+                                            phi_1866_ = f32();
+                                            phi_1867_ = true;
+                                            phi_1868_ = false;
                                         }
-                                        let _e1495 = phi_2137_;
-                                        let _e1497 = phi_2138_;
-                                        phi_2139_ = _e1495;
-                                        phi_2140_ = _e1246;
-                                        phi_2141_ = _e1497;
+                                        let _e1279 = phi_1866_;
+                                        let _e1281 = phi_1867_;
+                                        let _e1283 = phi_1868_;
+                                        if _e1281 {
+                                            phi_1872_ = false;
+                                        } else {
+                                            phi_1872_ = _e1283;
+                                        }
+                                        let _e1285 = phi_1872_;
+                                        phi_1873_ = _e1279;
+                                        phi_1874_ = _e1285;
                                     } else {
-                                        phi_2139_ = lt_bvh_triangle_Intersection();
-                                        phi_2140_ = true;
-                                        phi_2141_ = false;
+                                        phi_1873_ = _e1264;
+                                        phi_1874_ = true;
                                     }
-                                    let _e1499 = phi_2139_;
-                                    let _e1501 = phi_2140_;
-                                    let _e1503 = phi_2141_;
-                                    if _e1501 {
-                                        phi_2145_ = true;
-                                    } else {
-                                        phi_2145_ = _e1503;
-                                    }
-                                    let _e1505 = phi_2145_;
-                                    if _e1505 {
-                                        phi_2149_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                    } else {
-                                        phi_2149_ = _e1499;
-                                    }
-                                    let _e1507 = phi_2149_;
-                                    if _e1507.is_hit {
-                                        if (_e1507.t > 0f) {
-                                            if (_e1507.t < _e225) {
-                                                let _e1514 = triangles.member[(0u + _e1059)].i0_;
-                                                if ((_e1514 & 2147483648u) == 0u) {
-                                                    phi_2368_ = true;
+                                    let _e1287 = phi_1873_;
+                                    let _e1289 = phi_1874_;
+                                    if _e1289 {
+                                        let _e1290 = (_e1287 == 0f);
+                                        if _e1290 {
+                                            phi_2190_ = lt_bvh_triangle_Intersection();
+                                            phi_2191_ = false;
+                                        } else {
+                                            let _e1292 = triangles.member[(0u + _e1103)].v0_;
+                                            let _e1294 = (_e1292.x - _e259);
+                                            let _e1296 = (_e1292.y - _e261);
+                                            let _e1298 = (_e1292.z - _e263);
+                                            if (_e489 == 0u) {
+                                                phi_1903_ = vec3<f32>(_e1296, _e1298, _e1294);
+                                            } else {
+                                                if (_e489 == 1u) {
+                                                    phi_1902_ = vec3<f32>(_e1298, _e1294, _e1296);
                                                 } else {
-                                                    if (_e1059 < _e81) {
+                                                    phi_1902_ = (_e1292 - vec3<f32>(_e259, _e261, _e263));
+                                                }
+                                                let _e1306 = phi_1902_;
+                                                phi_1903_ = _e1306;
+                                            }
+                                            let _e1308 = phi_1903_;
+                                            let _e1310 = triangles.member[(0u + _e1103)].v1_;
+                                            let _e1312 = triangles.member[(0u + _e1103)].v0_;
+                                            let _e1315 = (_e1310.x - _e1312.x);
+                                            let _e1318 = (_e1310.y - _e1312.y);
+                                            let _e1321 = (_e1310.z - _e1312.z);
+                                            if (_e489 == 0u) {
+                                                phi_1929_ = vec3<f32>(_e1318, _e1321, _e1315);
+                                            } else {
+                                                if (_e489 == 1u) {
+                                                    phi_1928_ = vec3<f32>(_e1321, _e1315, _e1318);
+                                                } else {
+                                                    phi_1928_ = (_e1310 - _e1312);
+                                                }
+                                                let _e1328 = phi_1928_;
+                                                phi_1929_ = _e1328;
+                                            }
+                                            let _e1330 = phi_1929_;
+                                            let _e1332 = triangles.member[(0u + _e1103)].v2_;
+                                            let _e1334 = triangles.member[(0u + _e1103)].v0_;
+                                            let _e1337 = (_e1332.x - _e1334.x);
+                                            let _e1340 = (_e1332.y - _e1334.y);
+                                            let _e1343 = (_e1332.z - _e1334.z);
+                                            if (_e489 == 0u) {
+                                                phi_1955_ = vec3<f32>(_e1340, _e1343, _e1337);
+                                            } else {
+                                                if (_e489 == 1u) {
+                                                    phi_1954_ = vec3<f32>(_e1343, _e1337, _e1340);
+                                                } else {
+                                                    phi_1954_ = (_e1332 - _e1334);
+                                                }
+                                                let _e1350 = phi_1954_;
+                                                phi_1955_ = _e1350;
+                                            }
+                                            let _e1352 = phi_1955_;
+                                            let _e1359 = ((_e1330.y * _e1352.z) - (_e1330.z * _e1352.y));
+                                            let _e1366 = ((_e1330.z * _e1352.x) - (_e1330.x * _e1352.z));
+                                            let _e1373 = ((_e1330.x * _e1352.y) - (_e1330.y * _e1352.x));
+                                            let _e1387 = (((1f / _e497.z) * (((_e1359 * _e1308.x) + (_e1366 * _e1308.y)) + (_e1373 * _e1308.z))) / (((_e1359 * _e500) + (_e1366 * _e503)) + _e1373));
+                                            if (_e1387 > 0f) {
+                                                if (_e1387 < _e269) {
+                                                    let _e1391 = triangles.member[(0u + _e1103)].v0_;
+                                                    let _e1393 = triangles.member[(0u + _e1103)].v1_;
+                                                    if (_e1391.x < _e1393.x) {
+                                                        phi_2011_ = _e1391.x;
+                                                    } else {
+                                                        phi_2011_ = _e1393.x;
+                                                    }
+                                                    let _e1400 = phi_2011_;
+                                                    if (_e1391.y < _e1393.y) {
+                                                        phi_2020_ = _e1391.y;
+                                                    } else {
+                                                        phi_2020_ = _e1393.y;
+                                                    }
+                                                    let _e1407 = phi_2020_;
+                                                    if (_e1391.z < _e1393.z) {
+                                                        phi_2029_ = _e1391.z;
+                                                    } else {
+                                                        phi_2029_ = _e1393.z;
+                                                    }
+                                                    let _e1414 = phi_2029_;
+                                                    let _e1416 = triangles.member[(0u + _e1103)].v2_;
+                                                    if (_e1400 < _e1416.x) {
+                                                        phi_2038_ = _e1400;
+                                                    } else {
+                                                        phi_2038_ = _e1416.x;
+                                                    }
+                                                    let _e1421 = phi_2038_;
+                                                    if (_e1407 < _e1416.y) {
+                                                        phi_2045_ = _e1407;
+                                                    } else {
+                                                        phi_2045_ = _e1416.y;
+                                                    }
+                                                    let _e1426 = phi_2045_;
+                                                    if (_e1414 < _e1416.z) {
+                                                        phi_2052_ = _e1414;
+                                                    } else {
+                                                        phi_2052_ = _e1416.z;
+                                                    }
+                                                    let _e1431 = phi_2052_;
+                                                    let _e1433 = triangles.member[(0u + _e1103)].v0_;
+                                                    let _e1435 = triangles.member[(0u + _e1103)].v1_;
+                                                    if (_e1433.x > _e1435.x) {
+                                                        phi_2065_ = _e1433.x;
+                                                    } else {
+                                                        phi_2065_ = _e1435.x;
+                                                    }
+                                                    let _e1442 = phi_2065_;
+                                                    if (_e1433.y > _e1435.y) {
+                                                        phi_2074_ = _e1433.y;
+                                                    } else {
+                                                        phi_2074_ = _e1435.y;
+                                                    }
+                                                    let _e1449 = phi_2074_;
+                                                    if (_e1433.z > _e1435.z) {
+                                                        phi_2083_ = _e1433.z;
+                                                    } else {
+                                                        phi_2083_ = _e1435.z;
+                                                    }
+                                                    let _e1456 = phi_2083_;
+                                                    let _e1458 = triangles.member[(0u + _e1103)].v2_;
+                                                    if (_e1442 > _e1458.x) {
+                                                        phi_2092_ = _e1442;
+                                                    } else {
+                                                        phi_2092_ = _e1458.x;
+                                                    }
+                                                    let _e1463 = phi_2092_;
+                                                    if (_e1449 > _e1458.y) {
+                                                        phi_2099_ = _e1449;
+                                                    } else {
+                                                        phi_2099_ = _e1458.y;
+                                                    }
+                                                    let _e1468 = phi_2099_;
+                                                    if (_e1456 > _e1458.z) {
+                                                        phi_2106_ = _e1456;
+                                                    } else {
+                                                        phi_2106_ = _e1458.z;
+                                                    }
+                                                    let _e1473 = phi_2106_;
+                                                    let _e1477 = ((_e1421 - _e259) * _e418);
+                                                    let _e1478 = ((_e1426 - _e261) * _e428);
+                                                    let _e1479 = ((_e1431 - _e263) * _e438);
+                                                    let _e1483 = ((_e1463 - _e259) * _e418);
+                                                    let _e1484 = ((_e1468 - _e261) * _e428);
+                                                    let _e1485 = ((_e1473 - _e263) * _e438);
+                                                    if (_e1477 < _e1483) {
+                                                        phi_2123_ = _e1477;
+                                                    } else {
+                                                        phi_2123_ = _e1483;
+                                                    }
+                                                    let _e1488 = phi_2123_;
+                                                    if (_e1478 < _e1484) {
+                                                        phi_2128_ = _e1478;
+                                                    } else {
+                                                        phi_2128_ = _e1484;
+                                                    }
+                                                    let _e1491 = phi_2128_;
+                                                    if (_e1479 < _e1485) {
+                                                        phi_2133_ = _e1479;
+                                                    } else {
+                                                        phi_2133_ = _e1485;
+                                                    }
+                                                    let _e1494 = phi_2133_;
+                                                    if (_e1477 > _e1483) {
+                                                        phi_2141_ = _e1477;
+                                                    } else {
+                                                        phi_2141_ = _e1483;
+                                                    }
+                                                    let _e1500 = phi_2141_;
+                                                    if (_e1478 > _e1484) {
+                                                        phi_2146_ = _e1478;
+                                                    } else {
+                                                        phi_2146_ = _e1484;
+                                                    }
+                                                    let _e1503 = phi_2146_;
+                                                    if (_e1479 > _e1485) {
+                                                        phi_2151_ = _e1479;
+                                                    } else {
+                                                        phi_2151_ = _e1485;
+                                                    }
+                                                    let _e1506 = phi_2151_;
+                                                    let _e1510 = core_intrinsics_maximum_number_nsz_f32_((_e1488 - _e473), (_e1491 - _e474));
+                                                    let _e1511 = core_intrinsics_maximum_number_nsz_f32_(_e1510, (_e1494 - _e475));
+                                                    let _e1512 = core_intrinsics_minimum_number_nsz_f32_((_e1500 + _e473), (_e1503 + _e474));
+                                                    let _e1513 = core_intrinsics_minimum_number_nsz_f32_(_e1512, (_e1506 + _e475));
+                                                    if (_e1511 > -300000000000000000000000000000000000000f) {
+                                                        phi_2163_ = _e1511;
+                                                    } else {
+                                                        phi_2163_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1516 = phi_2163_;
+                                                    if (_e1513 < 300000000000000000000000000000000000000f) {
+                                                        phi_2168_ = _e1513;
+                                                    } else {
+                                                        phi_2168_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1519 = phi_2168_;
+                                                    if (_e1387 < _e1516) {
+                                                        phi_2173_ = _e1516;
+                                                    } else {
+                                                        phi_2173_ = _e1387;
+                                                    }
+                                                    let _e1522 = phi_2173_;
+                                                    if (_e1522 > _e1519) {
+                                                        phi_2178_ = _e1519;
+                                                    } else {
+                                                        phi_2178_ = _e1522;
+                                                    }
+                                                    let _e1525 = phi_2178_;
+                                                    phi_2183_ = lt_bvh_triangle_Intersection(_e1525, (_e1228 / _e1287), (_e1249 / _e1287), (_e1516 <= _e1519));
+                                                    phi_2184_ = false;
+                                                } else {
+                                                    phi_2183_ = lt_bvh_triangle_Intersection();
+                                                    phi_2184_ = true;
+                                                }
+                                                let _e1531 = phi_2183_;
+                                                let _e1533 = phi_2184_;
+                                                phi_2185_ = _e1531;
+                                                phi_2186_ = _e1533;
+                                            } else {
+                                                phi_2185_ = lt_bvh_triangle_Intersection();
+                                                phi_2186_ = true;
+                                            }
+                                            let _e1535 = phi_2185_;
+                                            let _e1537 = phi_2186_;
+                                            if _e1537 {
+                                            }
+                                            phi_2190_ = _e1535;
+                                            phi_2191_ = _e1537;
+                                        }
+                                        let _e1539 = phi_2190_;
+                                        let _e1541 = phi_2191_;
+                                        phi_2192_ = _e1539;
+                                        phi_2193_ = _e1290;
+                                        phi_2194_ = _e1541;
+                                    } else {
+                                        phi_2192_ = lt_bvh_triangle_Intersection();
+                                        phi_2193_ = true;
+                                        phi_2194_ = false;
+                                    }
+                                    let _e1543 = phi_2192_;
+                                    let _e1545 = phi_2193_;
+                                    let _e1547 = phi_2194_;
+                                    if _e1545 {
+                                        phi_2198_ = true;
+                                    } else {
+                                        phi_2198_ = _e1547;
+                                    }
+                                    let _e1549 = phi_2198_;
+                                    if _e1549 {
+                                        phi_2202_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_2202_ = _e1543;
+                                    }
+                                    let _e1551 = phi_2202_;
+                                    if _e1551.is_hit {
+                                        if (_e1551.t > 0f) {
+                                            if (_e1551.t < _e269) {
+                                                let _e1558 = triangles.member[(0u + _e1103)].i0_;
+                                                if ((_e1558 & 2147483648u) == 0u) {
+                                                    phi_2421_ = true;
+                                                } else {
+                                                    if (_e1103 < _e81) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1523 = triangles.member[(0u + _e1059)].i0_;
-                                                    let _e1524 = (_e1523 & 2147483647u);
-                                                    let _e1526 = triangles.member[(0u + _e1059)].i1_;
-                                                    let _e1528 = triangles.member[(0u + _e1059)].i2_;
-                                                    if (_e1524 < _e87) {
+                                                    let _e1567 = triangles.member[(0u + _e1103)].i0_;
+                                                    let _e1568 = (_e1567 & 2147483647u);
+                                                    let _e1570 = triangles.member[(0u + _e1103)].i1_;
+                                                    let _e1572 = triangles.member[(0u + _e1103)].i2_;
+                                                    if (_e1568 < _e87) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1532 = vertices.member[(0u + _e1524)];
-                                                    if (_e1526 < _e87) {
+                                                    let _e1576 = vertices.member[(0u + _e1568)];
+                                                    if (_e1570 < _e87) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1536 = vertices.member[(0u + _e1526)];
-                                                    if (_e1528 < _e87) {
+                                                    let _e1580 = vertices.member[(0u + _e1570)];
+                                                    if (_e1572 < _e87) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1540 = vertices.member[(0u + _e1528)];
-                                                    let _e1541 = array<abi_Vertex, 3>(_e1532, _e1536, _e1540);
-                                                    if (_e1541[0].material < arrayLength((&materials.member))) {
+                                                    let _e1584 = vertices.member[(0u + _e1572)];
+                                                    let _e1585 = array<abi_Vertex, 3>(_e1576, _e1580, _e1584);
+                                                    if (_e1585[0].material < arrayLength((&materials.member))) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1547 = materials.member[(0u + _e1541[0].material)];
-                                                    if ((_e1547.flags & 1u) == 1u) {
-                                                        let _e1552 = ((1f - _e1507.u) - _e1507.v);
-                                                        if (_e1547.cutoff <= 0f) {
-                                                            phi_2366_ = true;
+                                                    let _e1591 = materials.member[(0u + _e1585[0].material)];
+                                                    if ((_e1591.flags & 1u) == 1u) {
+                                                        let _e1596 = ((1f - _e1551.u) - _e1551.v);
+                                                        if (_e1591.cutoff <= 0f) {
+                                                            phi_2419_ = true;
                                                         } else {
-                                                            let _e1579 = (_e1547.base_color.w * ((((f32((_e1541[0].color >> bitcast<u32>(24i))) * _e1552) + (f32((_e1541[1].color >> bitcast<u32>(24i))) * _e1507.u)) + (f32((_e1541[2].color >> bitcast<u32>(24i))) * _e1507.v)) * (1f / 255f)));
-                                                            if (_e1547.alpha_size == 0u) {
-                                                                phi_2363_ = _e1579;
+                                                            let _e1623 = (_e1591.base_color.w * ((((f32((_e1585[0].color >> bitcast<u32>(24i))) * _e1596) + (f32((_e1585[1].color >> bitcast<u32>(24i))) * _e1551.u)) + (f32((_e1585[2].color >> bitcast<u32>(24i))) * _e1551.v)) * (1f / 255f)));
+                                                            if (_e1591.alpha_size == 0u) {
+                                                                phi_2416_ = _e1623;
                                                             } else {
-                                                                local.offset = _e1547.alpha_offset;
-                                                                local.size = _e1547.alpha_size;
-                                                                local.flags = _e1547.flags;
-                                                                let _e1610 = _lt_shaders_texture_TextureView_quad((&local), (((_e1541[0].u * _e1552) + (_e1541[1].u * _e1507.u)) + (_e1541[2].u * _e1507.v)), (((_e1541[0].v * _e1552) + (_e1541[1].v * _e1507.u)) + (_e1541[2].v * _e1507.v)));
-                                                                let _e1614 = (_e1610.indices[0] >> bitcast<u32>(2i));
-                                                                if (_e1614 < _e93) {
+                                                                local.offset = _e1591.alpha_offset;
+                                                                local.size = _e1591.alpha_size;
+                                                                local.flags = _e1591.flags;
+                                                                let _e1654 = _lt_shaders_texture_TextureView_quad((&local), (((_e1585[0].u * _e1596) + (_e1585[1].u * _e1551.u)) + (_e1585[2].u * _e1551.v)), (((_e1585[0].v * _e1596) + (_e1585[1].v * _e1551.u)) + (_e1585[2].v * _e1551.v)));
+                                                                let _e1658 = (_e1654.indices[0] >> bitcast<u32>(2i));
+                                                                if (_e1658 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1618 = alpha_texels.member[(0u + _e1614)];
-                                                                let _e1634 = (_e1610.indices[1] >> bitcast<u32>(2i));
-                                                                if (_e1634 < _e93) {
+                                                                let _e1662 = alpha_texels.member[(0u + _e1658)];
+                                                                let _e1678 = (_e1654.indices[1] >> bitcast<u32>(2i));
+                                                                if (_e1678 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1638 = alpha_texels.member[(0u + _e1634)];
-                                                                let _e1655 = (_e1610.indices[2] >> bitcast<u32>(2i));
-                                                                if (_e1655 < _e93) {
+                                                                let _e1682 = alpha_texels.member[(0u + _e1678)];
+                                                                let _e1699 = (_e1654.indices[2] >> bitcast<u32>(2i));
+                                                                if (_e1699 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1659 = alpha_texels.member[(0u + _e1655)];
-                                                                let _e1676 = (_e1610.indices[3] >> bitcast<u32>(2i));
-                                                                if (_e1676 < _e93) {
+                                                                let _e1703 = alpha_texels.member[(0u + _e1699)];
+                                                                let _e1720 = (_e1654.indices[3] >> bitcast<u32>(2i));
+                                                                if (_e1720 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1680 = alpha_texels.member[(0u + _e1676)];
-                                                                phi_2363_ = (_e1579 * (((((f32(((_e1618 >> bitcast<u32>((((_e1610.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.x) + ((f32(((_e1638 >> bitcast<u32>((((_e1610.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.y)) + ((f32(((_e1659 >> bitcast<u32>((((_e1610.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.z)) + ((f32(((_e1680 >> bitcast<u32>((((_e1610.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.w)));
+                                                                let _e1724 = alpha_texels.member[(0u + _e1720)];
+                                                                phi_2416_ = (_e1623 * (((((f32(((_e1662 >> bitcast<u32>((((_e1654.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.x) + ((f32(((_e1682 >> bitcast<u32>((((_e1654.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.y)) + ((f32(((_e1703 >> bitcast<u32>((((_e1654.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.z)) + ((f32(((_e1724 >> bitcast<u32>((((_e1654.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.w)));
                                                             }
-                                                            let _e1696 = phi_2363_;
-                                                            phi_2366_ = (_e1696 >= _e1547.cutoff);
+                                                            let _e1740 = phi_2416_;
+                                                            phi_2419_ = (_e1740 >= _e1591.cutoff);
                                                         }
-                                                        let _e1700 = phi_2366_;
-                                                        phi_2367_ = _e1700;
+                                                        let _e1744 = phi_2419_;
+                                                        phi_2420_ = _e1744;
                                                     } else {
-                                                        phi_2367_ = false;
+                                                        phi_2420_ = false;
                                                     }
-                                                    let _e1702 = phi_2367_;
-                                                    phi_2368_ = _e1702;
+                                                    let _e1746 = phi_2420_;
+                                                    phi_2421_ = _e1746;
                                                 }
-                                                let _e1704 = phi_2368_;
-                                                if _e1704 {
-                                                    phi_2372_ = false;
+                                                let _e1748 = phi_2421_;
+                                                if _e1748 {
+                                                    phi_2425_ = false;
                                                 } else {
-                                                    phi_2372_ = true;
+                                                    phi_2425_ = true;
                                                 }
-                                                let _e1706 = phi_2372_;
-                                                phi_2373_ = _e1704;
-                                                phi_2374_ = _e1704;
-                                                phi_2375_ = _e1706;
+                                                let _e1750 = phi_2425_;
+                                                phi_2426_ = _e1748;
+                                                phi_2427_ = _e1748;
+                                                phi_2428_ = _e1750;
                                             } else {
-                                                phi_2373_ = bool();
-                                                phi_2374_ = _e1050;
-                                                phi_2375_ = true;
+                                                phi_2426_ = bool();
+                                                phi_2427_ = _e1094;
+                                                phi_2428_ = true;
                                             }
-                                            let _e1708 = phi_2373_;
-                                            let _e1710 = phi_2374_;
-                                            let _e1712 = phi_2375_;
-                                            phi_2376_ = _e1708;
-                                            phi_2377_ = _e1710;
-                                            phi_2378_ = _e1712;
+                                            let _e1752 = phi_2426_;
+                                            let _e1754 = phi_2427_;
+                                            let _e1756 = phi_2428_;
+                                            phi_2429_ = _e1752;
+                                            phi_2430_ = _e1754;
+                                            phi_2431_ = _e1756;
                                         } else {
-                                            phi_2376_ = bool();
-                                            phi_2377_ = _e1050;
-                                            phi_2378_ = true;
+                                            phi_2429_ = bool();
+                                            phi_2430_ = _e1094;
+                                            phi_2431_ = true;
                                         }
-                                        let _e1714 = phi_2376_;
-                                        let _e1716 = phi_2377_;
-                                        let _e1718 = phi_2378_;
-                                        phi_2379_ = _e1714;
-                                        phi_2380_ = _e1716;
-                                        phi_2381_ = _e1718;
+                                        let _e1758 = phi_2429_;
+                                        let _e1760 = phi_2430_;
+                                        let _e1762 = phi_2431_;
+                                        phi_2432_ = _e1758;
+                                        phi_2433_ = _e1760;
+                                        phi_2434_ = _e1762;
                                     } else {
-                                        phi_2379_ = bool();
-                                        phi_2380_ = _e1050;
-                                        phi_2381_ = true;
+                                        phi_2432_ = bool();
+                                        phi_2433_ = _e1094;
+                                        phi_2434_ = true;
                                     }
-                                    let _e1720 = phi_2379_;
-                                    let _e1722 = phi_2380_;
-                                    let _e1724 = phi_2381_;
-                                    if _e1724 {
+                                    let _e1764 = phi_2432_;
+                                    let _e1766 = phi_2433_;
+                                    let _e1768 = phi_2434_;
+                                    if _e1768 {
                                     }
-                                    phi_1579_ = (_e1048 & (_e1048 - 1u));
-                                    phi_1582_ = _e1722;
-                                    phi_2385_ = _e1720;
-                                    phi_2386_ = _e1724;
+                                    phi_1632_ = (_e1092 & (_e1092 - 1u));
+                                    phi_1635_ = _e1766;
+                                    phi_2438_ = _e1764;
+                                    phi_2439_ = _e1768;
                                 }
-                                let _e1726 = phi_1579_;
-                                let _e1728 = phi_1582_;
-                                let _e1730 = phi_2385_;
-                                let _e1732 = phi_2386_;
-                                local_9 = _e1730;
+                                let _e1770 = phi_1632_;
+                                let _e1772 = phi_1635_;
+                                let _e1774 = phi_2438_;
+                                let _e1776 = phi_2439_;
+                                local_9 = _e1774;
                                 continue;
                                 continuing {
-                                    phi_1578_ = _e1726;
-                                    phi_1581_ = _e1728;
-                                    break if !(_e1732);
+                                    phi_1631_ = _e1770;
+                                    phi_1634_ = _e1772;
+                                    break if !(_e1776);
                                 }
                             }
-                            let _e1735 = local_6;
-                            if _e1735 {
-                                let _e1737 = local_1.group_mask;
-                                if ((_e1737 & 4278190080u) == 0u) {
-                                    let _e1741 = local_1.len;
-                                    if (_e1741 == 0u) {
-                                        phi_2428_ = false;
+                            let _e1779 = local_6;
+                            if _e1779 {
+                                let _e1781 = local_1.group_mask;
+                                if ((_e1781 & 4278190080u) == 0u) {
+                                    let _e1785 = local_1.len;
+                                    if (_e1785 == 0u) {
+                                        phi_2481_ = false;
                                     } else {
-                                        let _e1745 = local_1.len;
-                                        local_1.len = (_e1745 - 1u);
-                                        let _e1748 = local_1.len;
-                                        if (_e1748 < 32u) {
+                                        let _e1789 = local_1.len;
+                                        local_1.len = (_e1789 - 1u);
+                                        let _e1792 = local_1.len;
+                                        if (_e1792 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1753 = local_1.first[(0u + _e1748)];
-                                        local_1.group = _e1753;
-                                        let _e1756 = local_1.len;
-                                        if (_e1756 < 32u) {
+                                        let _e1797 = local_1.first[(0u + _e1792)];
+                                        local_1.group = _e1797;
+                                        let _e1800 = local_1.len;
+                                        if (_e1800 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1761 = local_1.mask[(0u + _e1756)];
-                                        local_1.group_mask = _e1761;
-                                        phi_2428_ = true;
+                                        let _e1805 = local_1.mask[(0u + _e1800)];
+                                        local_1.group_mask = _e1805;
+                                        phi_2481_ = true;
                                     }
-                                    let _e1764 = phi_2428_;
-                                    phi_2429_ = _e1764;
+                                    let _e1808 = phi_2481_;
+                                    phi_2482_ = _e1808;
                                 } else {
-                                    phi_2429_ = true;
+                                    phi_2482_ = true;
                                 }
-                                let _e1766 = phi_2429_;
-                                if _e1766 {
-                                    let _e1768 = local_1.group_mask;
-                                    let _e1774 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1768)), 32u, (_e1768 == 0u)));
-                                    let _e1778 = local_1.group_mask;
-                                    let _e1792 = local_1.group_mask;
-                                    local_1.group_mask = (_e1792 & ~((1u << bitcast<u32>((_e1774 & 31u)))));
-                                    let _e1795 = local_1.group;
-                                    phi_2460_ = (_e1795 + countOneBits(((_e1778 & ~((4294967295u << bitcast<u32>((((_e1774 - 24u) ^ _e472) & 31u))))) & 255u)));
+                                let _e1810 = phi_2482_;
+                                if _e1810 {
+                                    let _e1812 = local_1.group_mask;
+                                    let _e1818 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1812)), 32u, (_e1812 == 0u)));
+                                    let _e1822 = local_1.group_mask;
+                                    let _e1836 = local_1.group_mask;
+                                    local_1.group_mask = (_e1836 & ~((1u << bitcast<u32>((_e1818 & 31u)))));
+                                    let _e1839 = local_1.group;
+                                    phi_2513_ = (_e1839 + countOneBits(((_e1822 & ~((4294967295u << bitcast<u32>((((_e1818 - 24u) ^ _e516) & 31u))))) & 255u)));
                                 } else {
-                                    phi_2460_ = 4294967295u;
+                                    phi_2513_ = 4294967295u;
                                 }
-                                let _e1798 = phi_2460_;
-                                phi_2461_ = _e1798;
+                                let _e1842 = phi_2513_;
+                                phi_2514_ = _e1842;
                             } else {
-                                phi_2461_ = u32();
+                                phi_2514_ = u32();
                             }
-                            let _e1800 = phi_2461_;
-                            phi_1247_ = _e1800;
-                            let _e2012 = local_8;
-                            phi_1250_ = _e2012;
-                            let _e2015 = local_9;
-                            phi_2462_ = _e2015;
-                            let _e2018 = local_10;
-                            phi_2463_ = _e2018;
-                            phi_2464_ = false;
+                            let _e1844 = phi_2514_;
+                            phi_1300_ = _e1844;
+                            let _e2062 = local_8;
+                            phi_1303_ = _e2062;
+                            let _e2065 = local_9;
+                            phi_2515_ = _e2065;
+                            let _e2068 = local_10;
+                            phi_2516_ = _e2068;
+                            phi_2517_ = false;
                         } else {
-                            phi_1247_ = u32();
-                            phi_1250_ = bool();
-                            phi_2462_ = bool();
-                            phi_2463_ = false;
-                            phi_2464_ = true;
+                            phi_1300_ = u32();
+                            phi_1303_ = bool();
+                            phi_2515_ = bool();
+                            phi_2516_ = false;
+                            phi_2517_ = true;
                         }
-                        let _e1802 = phi_1247_;
-                        let _e1804 = phi_1250_;
-                        let _e1806 = phi_2462_;
-                        let _e1808 = phi_2463_;
-                        let _e1810 = phi_2464_;
-                        local_7 = _e1810;
-                        local_11 = _e1806;
+                        let _e1846 = phi_1300_;
+                        let _e1848 = phi_1303_;
+                        let _e1850 = phi_2515_;
+                        let _e1852 = phi_2516_;
+                        let _e1854 = phi_2517_;
+                        local_7 = _e1854;
+                        local_11 = _e1850;
                         continue;
                         continuing {
-                            phi_1246_ = _e1802;
-                            phi_1249_ = _e1804;
-                            break if !(_e1808);
+                            phi_1299_ = _e1846;
+                            phi_1302_ = _e1848;
+                            break if !(_e1852);
                         }
                     }
-                    let _e1813 = local_7;
-                    if _e1813 {
-                        phi_2468_ = false;
+                    let _e1857 = local_7;
+                    if _e1857 {
+                        phi_2521_ = false;
                     } else {
-                        phi_2468_ = true;
+                        phi_2521_ = true;
                     }
-                    let _e1815 = phi_2468_;
-                    if _e1815 {
-                        let _e2024 = local_11;
-                        phi_2472_ = _e2024;
+                    let _e1859 = phi_2521_;
+                    if _e1859 {
+                        let _e2074 = local_11;
+                        phi_2525_ = _e2074;
                     } else {
-                        let _e2026 = local_12;
-                        phi_2472_ = _e2026;
+                        let _e2076 = local_12;
+                        phi_2525_ = _e2076;
                     }
-                    let _e1817 = phi_2472_;
-                    phi_2473_ = _e1817;
+                    let _e1861 = phi_2525_;
+                    phi_2526_ = _e1861;
                 }
-                let _e1819 = phi_2473_;
-                phi_2474_ = _e1819;
-                phi_2475_ = _e298;
+                let _e1863 = phi_2526_;
+                phi_2527_ = _e1863;
+                phi_2528_ = _e342;
             } else {
-                phi_2474_ = bool();
-                phi_2475_ = true;
+                phi_2527_ = bool();
+                phi_2528_ = true;
             }
-            let _e1821 = phi_2474_;
-            let _e1823 = phi_2475_;
-            if _e1823 {
-                phi_2479_ = false;
+            let _e1865 = phi_2527_;
+            let _e1867 = phi_2528_;
+            if _e1867 {
+                phi_2532_ = false;
             } else {
-                phi_2479_ = _e1821;
+                phi_2532_ = _e1865;
             }
-            let _e1825 = phi_2479_;
-            if _e1825 {
-                phi_2483_ = 0f;
+            let _e1869 = phi_2532_;
+            if _e1869 {
+                phi_2536_ = 0f;
             } else {
-                phi_2483_ = 1f;
+                phi_2536_ = 1f;
             }
-            let _e1827 = phi_2483_;
-            phi_2484_ = _e1827;
+            let _e1871 = phi_2536_;
+            phi_2537_ = _e1871;
         }
-        let _e1829 = phi_2484_;
+        let _e1873 = phi_2537_;
         if (_e99.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e99.first_primitive)] = _e1829;
+        visibility.member[(0u + _e99.first_primitive)] = _e1873;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -41,18 +50,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_29 {
+struct type_30 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_34 {
+struct type_35 {
     member: array<lt_bvh_Node>,
 }
 
@@ -77,7 +86,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_38 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -99,69 +108,66 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_29;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> nodes: type_34;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_38;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_148_: bool;
-    var phi_152_: f32;
+    var phi_150_: bool;
+    var phi_154_: f32;
 
     if (param != param) {
-        phi_148_ = true;
+        phi_150_ = true;
     } else {
         let _e54 = (param_1 >= param);
         if _e54 {
         }
-        phi_148_ = _e54;
+        phi_150_ = _e54;
     }
-    let _e56 = phi_148_;
+    let _e56 = phi_150_;
     if _e56 {
-        phi_152_ = param_1;
+        phi_154_ = param_1;
     } else {
-        phi_152_ = param;
+        phi_154_ = param;
     }
-    let _e58 = phi_152_;
+    let _e58 = phi_154_;
     return _e58;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_164_: bool;
-    var phi_168_: f32;
+    var phi_166_: bool;
+    var phi_170_: f32;
 
     if (param_2 != param_2) {
-        phi_164_ = true;
+        phi_166_ = true;
     } else {
         let _e54 = (param_3 <= param_2);
         if _e54 {
         }
-        phi_164_ = _e54;
+        phi_166_ = _e54;
     }
-    let _e56 = phi_164_;
+    let _e56 = phi_166_;
     if _e56 {
-        phi_168_ = param_3;
+        phi_170_ = param_3;
     } else {
-        phi_168_ = param_2;
+        phi_170_ = param_2;
     }
-    let _e58 = phi_168_;
+    let _e58 = phi_170_;
     return _e58;
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
-    var phi_244_: f32;
-    var phi_299_: bool;
-    var phi_300_: bool;
-    var phi_301_: bool;
-    var phi_305_: bool;
-    var phi_306_: bool;
-    var phi_307_: bool;
+    var phi_247_: f32;
+    var phi_302_: bool;
+    var phi_303_: bool;
+    var phi_304_: bool;
     var phi_308_: bool;
     var phi_309_: bool;
     var phi_310_: bool;
@@ -177,165 +183,168 @@ fn function_() {
     var phi_320_: bool;
     var phi_321_: bool;
     var phi_322_: bool;
-    var phi_326_: bool;
-    var phi_330_: bool;
-    var phi_400_: f32;
-    var phi_407_: f32;
-    var phi_414_: f32;
-    var phi_421_: f32;
-    var phi_428_: f32;
-    var phi_435_: f32;
-    var phi_452_: f32;
-    var phi_457_: f32;
-    var phi_462_: f32;
-    var phi_490_: bool;
-    var phi_491_: bool;
-    var phi_499_: u32;
-    var phi_500_: u32;
-    var phi_511_: vec3<f32>;
-    var phi_512_: vec3<f32>;
-    var phi_525_: u32;
-    var phi_530_: u32;
-    var phi_535_: u32;
-    var phi_649_: bool;
-    var phi_650_: bool;
-    var phi_681_: u32;
-    var phi_683_: u32;
-    var phi_686_: bool;
-    var phi_766_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_793_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_820_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_826_: u32;
+    var phi_323_: bool;
+    var phi_324_: bool;
+    var phi_325_: bool;
+    var phi_329_: bool;
+    var phi_333_: bool;
+    var phi_403_: f32;
+    var phi_410_: f32;
+    var phi_417_: f32;
+    var phi_424_: f32;
+    var phi_431_: f32;
+    var phi_438_: f32;
+    var phi_455_: f32;
+    var phi_460_: f32;
+    var phi_465_: f32;
+    var phi_493_: bool;
+    var phi_494_: bool;
+    var phi_502_: u32;
+    var phi_503_: u32;
+    var phi_514_: vec3<f32>;
+    var phi_515_: vec3<f32>;
+    var phi_528_: u32;
+    var phi_533_: u32;
+    var phi_538_: u32;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_684_: u32;
+    var phi_686_: u32;
+    var phi_689_: bool;
+    var phi_769_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_796_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_823_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_829_: u32;
-    var phi_843_: u32;
-    var phi_853_: u32;
-    var phi_863_: u32;
-    var phi_881_: u32;
-    var phi_891_: u32;
-    var phi_901_: u32;
-    var phi_937_: u32;
-    var phi_950_: u32;
-    var phi_955_: u32;
-    var phi_956_: u32;
-    var phi_957_: u32;
-    var phi_827_: u32;
+    var phi_832_: u32;
+    var phi_846_: u32;
+    var phi_856_: u32;
+    var phi_866_: u32;
+    var phi_884_: u32;
+    var phi_894_: u32;
+    var phi_904_: u32;
+    var phi_940_: u32;
+    var phi_953_: u32;
+    var phi_958_: u32;
+    var phi_959_: u32;
+    var phi_960_: u32;
     var phi_830_: u32;
+    var phi_833_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1015_: u32;
-    var phi_1018_: bool;
-    var phi_1062_: vec3<f32>;
-    var phi_1063_: vec3<f32>;
-    var phi_1092_: vec3<f32>;
-    var phi_1093_: vec3<f32>;
-    var phi_1122_: vec3<f32>;
-    var phi_1123_: vec3<f32>;
-    var phi_1141_: bool;
-    var phi_1142_: bool;
-    var phi_1146_: f32;
-    var phi_1147_: f32;
-    var phi_1148_: f32;
+    var phi_1018_: u32;
+    var phi_1021_: bool;
+    var phi_1065_: vec3<f32>;
+    var phi_1066_: vec3<f32>;
+    var phi_1095_: vec3<f32>;
+    var phi_1096_: vec3<f32>;
+    var phi_1125_: vec3<f32>;
+    var phi_1126_: vec3<f32>;
+    var phi_1144_: bool;
+    var phi_1145_: bool;
     var phi_1149_: f32;
-    var phi_1157_: f32;
-    var phi_1167_: bool;
-    var phi_1168_: bool;
-    var phi_1172_: f32;
-    var phi_1173_: f32;
-    var phi_1174_: f32;
+    var phi_1150_: f32;
+    var phi_1151_: f32;
+    var phi_1152_: f32;
+    var phi_1160_: f32;
+    var phi_1170_: bool;
+    var phi_1171_: bool;
     var phi_1175_: f32;
-    var phi_1183_: f32;
-    var phi_1193_: bool;
-    var phi_1194_: bool;
-    var phi_1198_: f32;
-    var phi_1199_: f32;
-    var phi_1200_: f32;
+    var phi_1176_: f32;
+    var phi_1177_: f32;
+    var phi_1178_: f32;
+    var phi_1186_: f32;
+    var phi_1196_: bool;
+    var phi_1197_: bool;
     var phi_1201_: f32;
-    var phi_1209_: f32;
-    var phi_1224_: f32;
-    var phi_1225_: bool;
-    var phi_1226_: f32;
-    var phi_1227_: bool;
-    var phi_1228_: f32;
-    var phi_1229_: bool;
-    var phi_1247_: f32;
-    var phi_1248_: bool;
-    var phi_1249_: bool;
+    var phi_1202_: f32;
+    var phi_1203_: f32;
+    var phi_1204_: f32;
+    var phi_1212_: f32;
+    var phi_1227_: f32;
+    var phi_1228_: bool;
+    var phi_1229_: f32;
+    var phi_1230_: bool;
+    var phi_1231_: f32;
+    var phi_1232_: bool;
     var phi_1250_: f32;
     var phi_1251_: bool;
     var phi_1252_: bool;
-    var phi_1256_: bool;
-    var phi_1257_: f32;
-    var phi_1258_: bool;
-    var phi_1286_: vec3<f32>;
-    var phi_1287_: vec3<f32>;
-    var phi_1312_: vec3<f32>;
-    var phi_1313_: vec3<f32>;
-    var phi_1338_: vec3<f32>;
-    var phi_1339_: vec3<f32>;
-    var phi_1395_: f32;
-    var phi_1404_: f32;
-    var phi_1413_: f32;
-    var phi_1422_: f32;
-    var phi_1429_: f32;
-    var phi_1436_: f32;
-    var phi_1449_: f32;
-    var phi_1458_: f32;
-    var phi_1467_: f32;
-    var phi_1476_: f32;
-    var phi_1483_: f32;
-    var phi_1490_: f32;
-    var phi_1507_: f32;
-    var phi_1512_: f32;
-    var phi_1517_: f32;
-    var phi_1525_: f32;
-    var phi_1530_: f32;
-    var phi_1535_: f32;
-    var phi_1547_: f32;
-    var phi_1552_: f32;
-    var phi_1557_: f32;
-    var phi_1562_: f32;
-    var phi_1567_: lt_bvh_triangle_Intersection;
-    var phi_1568_: bool;
-    var phi_1569_: lt_bvh_triangle_Intersection;
-    var phi_1570_: bool;
-    var phi_1574_: lt_bvh_triangle_Intersection;
-    var phi_1575_: bool;
-    var phi_1576_: lt_bvh_triangle_Intersection;
-    var phi_1577_: bool;
+    var phi_1253_: f32;
+    var phi_1254_: bool;
+    var phi_1255_: bool;
+    var phi_1259_: bool;
+    var phi_1260_: f32;
+    var phi_1261_: bool;
+    var phi_1289_: vec3<f32>;
+    var phi_1290_: vec3<f32>;
+    var phi_1315_: vec3<f32>;
+    var phi_1316_: vec3<f32>;
+    var phi_1341_: vec3<f32>;
+    var phi_1342_: vec3<f32>;
+    var phi_1398_: f32;
+    var phi_1407_: f32;
+    var phi_1416_: f32;
+    var phi_1425_: f32;
+    var phi_1432_: f32;
+    var phi_1439_: f32;
+    var phi_1452_: f32;
+    var phi_1461_: f32;
+    var phi_1470_: f32;
+    var phi_1479_: f32;
+    var phi_1486_: f32;
+    var phi_1493_: f32;
+    var phi_1510_: f32;
+    var phi_1515_: f32;
+    var phi_1520_: f32;
+    var phi_1528_: f32;
+    var phi_1533_: f32;
+    var phi_1538_: f32;
+    var phi_1550_: f32;
+    var phi_1555_: f32;
+    var phi_1560_: f32;
+    var phi_1565_: f32;
+    var phi_1570_: lt_bvh_triangle_Intersection;
+    var phi_1571_: bool;
+    var phi_1572_: lt_bvh_triangle_Intersection;
+    var phi_1573_: bool;
+    var phi_1577_: lt_bvh_triangle_Intersection;
     var phi_1578_: bool;
-    var phi_1582_: bool;
-    var phi_1586_: lt_bvh_triangle_Intersection;
-    var phi_1606_: bool;
-    var phi_1607_: bool;
-    var phi_1608_: bool;
+    var phi_1579_: lt_bvh_triangle_Intersection;
+    var phi_1580_: bool;
+    var phi_1581_: bool;
+    var phi_1585_: bool;
+    var phi_1589_: lt_bvh_triangle_Intersection;
     var phi_1609_: bool;
     var phi_1610_: bool;
     var phi_1611_: bool;
     var phi_1612_: bool;
-    var phi_1016_: u32;
-    var phi_1019_: bool;
-    var phi_1616_: bool;
+    var phi_1613_: bool;
+    var phi_1614_: bool;
+    var phi_1615_: bool;
+    var phi_1019_: u32;
+    var phi_1022_: bool;
+    var phi_1619_: bool;
     var local_4: bool;
-    var phi_1658_: bool;
-    var phi_1659_: bool;
-    var phi_1690_: u32;
-    var phi_1691_: u32;
-    var phi_684_: u32;
-    var phi_687_: bool;
-    var phi_1692_: bool;
-    var phi_1693_: bool;
+    var phi_1661_: bool;
+    var phi_1662_: bool;
+    var phi_1693_: u32;
+    var phi_1694_: u32;
+    var phi_687_: u32;
+    var phi_690_: bool;
+    var phi_1695_: bool;
+    var phi_1696_: bool;
     var local_5: bool;
-    var phi_1697_: bool;
-    var phi_1701_: bool;
-    var phi_1702_: bool;
-    var phi_1703_: bool;
+    var phi_1700_: bool;
     var phi_1704_: bool;
-    var phi_1708_: bool;
-    var phi_1712_: f32;
-    var phi_1733_: u32;
-    var phi_1748_: u32;
-    var phi_1753_: u32;
+    var phi_1705_: bool;
+    var phi_1706_: bool;
+    var phi_1707_: bool;
+    var phi_1711_: bool;
+    var phi_1715_: f32;
+    var phi_1736_: u32;
+    var phi_1751_: u32;
+    var phi_1756_: u32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
@@ -362,1214 +371,1214 @@ fn function_() {
         } else {
             return;
         }
-        let _e89 = p.member.light;
-        let _e91 = samples.member[(0u + _e84)].position;
-        let _e93 = samples.member[(0u + _e84)].normal;
-        let _e95 = samples.member[(0u + _e84)].magnitude;
-        let _e97 = ((8f / 8388608f) * _e95);
-        let _e105 = (_e91.x + (_e93.x * _e97));
-        let _e107 = (_e91.y + (_e93.y * _e97));
-        let _e109 = (_e91.z + (_e93.z * _e97));
-        if (_e89.w == 0f) {
-            phi_244_ = 300000000000000000000000000000000000000f;
+        let _e90 = samples.member[(0u + _e84)].position;
+        let _e92 = samples.member[(0u + _e84)].normal;
+        let _e94 = samples.member[(0u + _e84)].magnitude;
+        let _e96 = ((8f / 8388608f) * _e94);
+        let _e104 = (_e90.x + (_e92.x * _e96));
+        let _e106 = (_e90.y + (_e92.y * _e96));
+        let _e108 = (_e90.z + (_e92.z * _e96));
+        let _e110 = p.member.light.place;
+        if (_e110.w == 0f) {
+            phi_247_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_244_ = 1f;
+            phi_247_ = 1f;
         }
-        let _e113 = phi_244_;
-        let _e121 = (_e89.x - (_e105 * _e89.w));
-        let _e122 = (_e89.y - (_e107 * _e89.w));
-        let _e123 = (_e89.z - (_e109 * _e89.w));
-        let _e128 = abs(_e121);
+        let _e114 = phi_247_;
+        let _e122 = (_e110.x - (_e104 * _e110.w));
+        let _e123 = (_e110.y - (_e106 * _e110.w));
+        let _e124 = (_e110.z - (_e108 * _e110.w));
         let _e129 = abs(_e122);
         let _e130 = abs(_e123);
-        if (abs(_e105) < 1000000000000000f) {
-            if (abs(_e107) < 1000000000000000f) {
-                if (abs(_e109) < 1000000000000000f) {
-                    if (_e128 < 1000000000000000f) {
-                        if (_e129 < 1000000000000000f) {
-                            if (_e130 < 1000000000000000f) {
-                                if (_e128 > 0f) {
-                                    phi_300_ = bool();
-                                    phi_301_ = true;
+        let _e131 = abs(_e124);
+        if (abs(_e104) < 1000000000000000f) {
+            if (abs(_e106) < 1000000000000000f) {
+                if (abs(_e108) < 1000000000000000f) {
+                    if (_e129 < 1000000000000000f) {
+                        if (_e130 < 1000000000000000f) {
+                            if (_e131 < 1000000000000000f) {
+                                if (_e129 > 0f) {
+                                    phi_303_ = bool();
+                                    phi_304_ = true;
                                 } else {
-                                    let _e138 = (_e129 > 0f);
-                                    if _e138 {
-                                        phi_299_ = bool();
+                                    let _e139 = (_e130 > 0f);
+                                    if _e139 {
+                                        phi_302_ = bool();
                                     } else {
-                                        phi_299_ = (_e130 > 0f);
+                                        phi_302_ = (_e131 > 0f);
                                     }
-                                    let _e141 = phi_299_;
-                                    phi_300_ = _e141;
-                                    phi_301_ = _e138;
+                                    let _e142 = phi_302_;
+                                    phi_303_ = _e142;
+                                    phi_304_ = _e139;
                                 }
-                                let _e143 = phi_300_;
-                                let _e145 = phi_301_;
-                                if _e145 {
-                                    phi_305_ = true;
+                                let _e144 = phi_303_;
+                                let _e146 = phi_304_;
+                                if _e146 {
+                                    phi_308_ = true;
                                 } else {
-                                    phi_305_ = _e143;
+                                    phi_308_ = _e144;
                                 }
-                                let _e147 = phi_305_;
-                                phi_306_ = _e147;
-                                phi_307_ = false;
+                                let _e148 = phi_308_;
+                                phi_309_ = _e148;
+                                phi_310_ = false;
                             } else {
-                                phi_306_ = bool();
-                                phi_307_ = true;
+                                phi_309_ = bool();
+                                phi_310_ = true;
                             }
-                            let _e149 = phi_306_;
-                            let _e151 = phi_307_;
-                            phi_308_ = _e149;
-                            phi_309_ = false;
-                            phi_310_ = _e151;
+                            let _e150 = phi_309_;
+                            let _e152 = phi_310_;
+                            phi_311_ = _e150;
+                            phi_312_ = false;
+                            phi_313_ = _e152;
                         } else {
-                            phi_308_ = bool();
-                            phi_309_ = true;
-                            phi_310_ = false;
+                            phi_311_ = bool();
+                            phi_312_ = true;
+                            phi_313_ = false;
                         }
-                        let _e153 = phi_308_;
-                        let _e155 = phi_309_;
-                        let _e157 = phi_310_;
-                        phi_311_ = _e153;
-                        phi_312_ = _e155;
-                        phi_313_ = _e157;
+                        let _e154 = phi_311_;
+                        let _e156 = phi_312_;
+                        let _e158 = phi_313_;
+                        phi_314_ = _e154;
+                        phi_315_ = _e156;
+                        phi_316_ = _e158;
                     } else {
-                        phi_311_ = bool();
-                        phi_312_ = true;
-                        phi_313_ = false;
+                        phi_314_ = bool();
+                        phi_315_ = true;
+                        phi_316_ = false;
                     }
-                    let _e159 = phi_311_;
-                    let _e161 = phi_312_;
-                    let _e163 = phi_313_;
-                    phi_314_ = _e159;
-                    phi_315_ = _e161;
-                    phi_316_ = _e163;
+                    let _e160 = phi_314_;
+                    let _e162 = phi_315_;
+                    let _e164 = phi_316_;
+                    phi_317_ = _e160;
+                    phi_318_ = _e162;
+                    phi_319_ = _e164;
                 } else {
-                    phi_314_ = bool();
-                    phi_315_ = true;
-                    phi_316_ = false;
+                    phi_317_ = bool();
+                    phi_318_ = true;
+                    phi_319_ = false;
                 }
-                let _e165 = phi_314_;
-                let _e167 = phi_315_;
-                let _e169 = phi_316_;
-                phi_317_ = _e165;
-                phi_318_ = _e167;
-                phi_319_ = _e169;
+                let _e166 = phi_317_;
+                let _e168 = phi_318_;
+                let _e170 = phi_319_;
+                phi_320_ = _e166;
+                phi_321_ = _e168;
+                phi_322_ = _e170;
             } else {
-                phi_317_ = bool();
-                phi_318_ = true;
-                phi_319_ = false;
+                phi_320_ = bool();
+                phi_321_ = true;
+                phi_322_ = false;
             }
-            let _e171 = phi_317_;
-            let _e173 = phi_318_;
-            let _e175 = phi_319_;
-            phi_320_ = _e171;
-            phi_321_ = _e173;
-            phi_322_ = _e175;
+            let _e172 = phi_320_;
+            let _e174 = phi_321_;
+            let _e176 = phi_322_;
+            phi_323_ = _e172;
+            phi_324_ = _e174;
+            phi_325_ = _e176;
         } else {
-            phi_320_ = bool();
-            phi_321_ = true;
-            phi_322_ = false;
+            phi_323_ = bool();
+            phi_324_ = true;
+            phi_325_ = false;
         }
-        let _e177 = phi_320_;
-        let _e179 = phi_321_;
-        let _e181 = phi_322_;
-        if _e179 {
-            phi_326_ = true;
+        let _e178 = phi_323_;
+        let _e180 = phi_324_;
+        let _e182 = phi_325_;
+        if _e180 {
+            phi_329_ = true;
         } else {
-            phi_326_ = _e181;
+            phi_329_ = _e182;
         }
-        let _e183 = phi_326_;
-        if _e183 {
-            phi_330_ = false;
+        let _e184 = phi_329_;
+        if _e184 {
+            phi_333_ = false;
         } else {
-            phi_330_ = _e177;
+            phi_333_ = _e178;
         }
-        let _e185 = phi_330_;
-        if _e185 {
-            let _e186 = (0u >= _e59);
-            if _e186 {
-                phi_1702_ = bool();
+        let _e186 = phi_333_;
+        if _e186 {
+            let _e187 = (0u >= _e59);
+            if _e187 {
+                phi_1705_ = bool();
             } else {
                 if (0u < _e59) {
                 } else {
                     return;
                 }
-                let _e192 = nodes.member[(0u + 0u)].frame[0u];
-                let _e196 = nodes.member[(0u + 0u)].frame[1u];
-                let _e200 = nodes.member[(0u + 0u)].frame[2u];
-                let _e204 = nodes.member[(0u + 0u)].frame[0u];
-                let _e208 = nodes.member[(0u + 0u)].frame[1u];
-                let _e212 = nodes.member[(0u + 0u)].frame[2u];
-                let _e216 = nodes.member[(0u + 0u)].frame[3u];
-                let _e250 = core_intrinsics_maximum_number_nsz_f32_(abs(_e121), abs(_e122));
-                let _e251 = core_intrinsics_maximum_number_nsz_f32_(_e250, abs(_e123));
-                let _e252 = (_e251 * 0.0000000000009094947f);
-                if (abs(_e121) < _e252) {
-                    phi_400_ = _e252;
+                let _e193 = nodes.member[(0u + 0u)].frame[0u];
+                let _e197 = nodes.member[(0u + 0u)].frame[1u];
+                let _e201 = nodes.member[(0u + 0u)].frame[2u];
+                let _e205 = nodes.member[(0u + 0u)].frame[0u];
+                let _e209 = nodes.member[(0u + 0u)].frame[1u];
+                let _e213 = nodes.member[(0u + 0u)].frame[2u];
+                let _e217 = nodes.member[(0u + 0u)].frame[3u];
+                let _e251 = core_intrinsics_maximum_number_nsz_f32_(abs(_e122), abs(_e123));
+                let _e252 = core_intrinsics_maximum_number_nsz_f32_(_e251, abs(_e124));
+                let _e253 = (_e252 * 0.0000000000009094947f);
+                if (abs(_e122) < _e253) {
+                    phi_403_ = _e253;
                 } else {
-                    phi_400_ = abs(_e121);
+                    phi_403_ = abs(_e122);
                 }
-                let _e257 = phi_400_;
-                if (_e121 < 0f) {
-                    phi_407_ = (-1f / _e257);
-                } else {
-                    phi_407_ = (1f / _e257);
-                }
-                let _e262 = phi_407_;
-                if (abs(_e122) < _e252) {
-                    phi_414_ = _e252;
-                } else {
-                    phi_414_ = abs(_e122);
-                }
-                let _e267 = phi_414_;
+                let _e258 = phi_403_;
                 if (_e122 < 0f) {
-                    phi_421_ = (-1f / _e267);
+                    phi_410_ = (-1f / _e258);
                 } else {
-                    phi_421_ = (1f / _e267);
+                    phi_410_ = (1f / _e258);
                 }
-                let _e272 = phi_421_;
-                if (abs(_e123) < _e252) {
-                    phi_428_ = _e252;
+                let _e263 = phi_410_;
+                if (abs(_e123) < _e253) {
+                    phi_417_ = _e253;
                 } else {
-                    phi_428_ = abs(_e123);
+                    phi_417_ = abs(_e123);
                 }
-                let _e277 = phi_428_;
+                let _e268 = phi_417_;
                 if (_e123 < 0f) {
-                    phi_435_ = (-1f / _e277);
+                    phi_424_ = (-1f / _e268);
                 } else {
-                    phi_435_ = (1f / _e277);
+                    phi_424_ = (1f / _e268);
                 }
-                let _e282 = phi_435_;
-                let _e286 = abs((bitcast<f32>(_e192) - _e105));
-                let _e287 = abs((bitcast<f32>(_e196) - _e107));
-                let _e288 = abs((bitcast<f32>(_e200) - _e109));
-                let _e292 = abs(((bitcast<f32>(_e204) + (bitcast<f32>((((_e216 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e105));
-                let _e293 = abs(((bitcast<f32>(_e208) + (bitcast<f32>((((_e216 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e107));
-                let _e294 = abs(((bitcast<f32>(_e212) + (bitcast<f32>((((_e216 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e109));
-                if (_e286 > _e292) {
-                    phi_452_ = _e286;
+                let _e273 = phi_424_;
+                if (abs(_e124) < _e253) {
+                    phi_431_ = _e253;
                 } else {
-                    phi_452_ = _e292;
+                    phi_431_ = abs(_e124);
                 }
-                let _e297 = phi_452_;
+                let _e278 = phi_431_;
+                if (_e124 < 0f) {
+                    phi_438_ = (-1f / _e278);
+                } else {
+                    phi_438_ = (1f / _e278);
+                }
+                let _e283 = phi_438_;
+                let _e287 = abs((bitcast<f32>(_e193) - _e104));
+                let _e288 = abs((bitcast<f32>(_e197) - _e106));
+                let _e289 = abs((bitcast<f32>(_e201) - _e108));
+                let _e293 = abs(((bitcast<f32>(_e205) + (bitcast<f32>((((_e217 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e104));
+                let _e294 = abs(((bitcast<f32>(_e209) + (bitcast<f32>((((_e217 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e106));
+                let _e295 = abs(((bitcast<f32>(_e213) + (bitcast<f32>((((_e217 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e108));
                 if (_e287 > _e293) {
-                    phi_457_ = _e287;
+                    phi_455_ = _e287;
                 } else {
-                    phi_457_ = _e293;
+                    phi_455_ = _e293;
                 }
-                let _e300 = phi_457_;
+                let _e298 = phi_455_;
                 if (_e288 > _e294) {
-                    phi_462_ = _e288;
+                    phi_460_ = _e288;
                 } else {
-                    phi_462_ = _e294;
+                    phi_460_ = _e294;
                 }
-                let _e303 = phi_462_;
-                let _e304 = core_intrinsics_maximum_number_nsz_f32_(_e297, _e300);
-                let _e305 = core_intrinsics_maximum_number_nsz_f32_(_e304, _e303);
-                let _e309 = (_e305 * 0.0000019073486f);
-                let _e310 = (abs(_e262) * _e309);
-                let _e311 = (abs(_e272) * _e309);
-                let _e312 = (abs(_e282) * _e309);
-                let _e316 = (_e305 * 0.0000009536743f);
-                let _e317 = (abs(_e262) * _e316);
-                let _e318 = (abs(_e272) * _e316);
-                let _e319 = (abs(_e282) * _e316);
-                let _e320 = abs(_e121);
+                let _e301 = phi_460_;
+                if (_e289 > _e295) {
+                    phi_465_ = _e289;
+                } else {
+                    phi_465_ = _e295;
+                }
+                let _e304 = phi_465_;
+                let _e305 = core_intrinsics_maximum_number_nsz_f32_(_e298, _e301);
+                let _e306 = core_intrinsics_maximum_number_nsz_f32_(_e305, _e304);
+                let _e310 = (_e306 * 0.0000019073486f);
+                let _e311 = (abs(_e263) * _e310);
+                let _e312 = (abs(_e273) * _e310);
+                let _e313 = (abs(_e283) * _e310);
+                let _e317 = (_e306 * 0.0000009536743f);
+                let _e318 = (abs(_e263) * _e317);
+                let _e319 = (abs(_e273) * _e317);
+                let _e320 = (abs(_e283) * _e317);
                 let _e321 = abs(_e122);
                 let _e322 = abs(_e123);
-                if (_e320 >= _e321) {
-                    if (_e320 >= _e322) {
-                        phi_490_ = false;
+                let _e323 = abs(_e124);
+                if (_e321 >= _e322) {
+                    if (_e321 >= _e323) {
+                        phi_493_ = false;
                     } else {
-                        phi_490_ = true;
+                        phi_493_ = true;
                     }
-                    let _e326 = phi_490_;
-                    phi_491_ = _e326;
+                    let _e327 = phi_493_;
+                    phi_494_ = _e327;
                 } else {
-                    phi_491_ = true;
+                    phi_494_ = true;
                 }
-                let _e328 = phi_491_;
-                if _e328 {
-                    if (_e321 >= _e322) {
-                        phi_499_ = 1u;
+                let _e329 = phi_494_;
+                if _e329 {
+                    if (_e322 >= _e323) {
+                        phi_502_ = 1u;
                     } else {
-                        phi_499_ = 2u;
+                        phi_502_ = 2u;
                     }
-                    let _e331 = phi_499_;
-                    phi_500_ = _e331;
+                    let _e332 = phi_502_;
+                    phi_503_ = _e332;
                 } else {
-                    phi_500_ = 0u;
+                    phi_503_ = 0u;
                 }
-                let _e333 = phi_500_;
-                if (_e333 == 0u) {
-                    phi_512_ = vec3<f32>(_e122, _e123, _e121);
+                let _e334 = phi_503_;
+                if (_e334 == 0u) {
+                    phi_515_ = vec3<f32>(_e123, _e124, _e122);
                 } else {
-                    if (_e333 == 1u) {
-                        phi_511_ = vec3<f32>(_e123, _e121, _e122);
+                    if (_e334 == 1u) {
+                        phi_514_ = vec3<f32>(_e124, _e122, _e123);
                     } else {
-                        phi_511_ = vec3<f32>(_e121, _e122, _e123);
+                        phi_514_ = vec3<f32>(_e122, _e123, _e124);
                     }
-                    let _e339 = phi_511_;
-                    phi_512_ = _e339;
+                    let _e340 = phi_514_;
+                    phi_515_ = _e340;
                 }
-                let _e341 = phi_512_;
-                let _e344 = (_e341.x / _e341.z);
-                let _e347 = (_e341.y / _e341.z);
-                if (_e262 < 0f) {
-                    phi_525_ = 0u;
+                let _e342 = phi_515_;
+                let _e345 = (_e342.x / _e342.z);
+                let _e348 = (_e342.y / _e342.z);
+                if (_e263 < 0f) {
+                    phi_528_ = 0u;
                 } else {
-                    phi_525_ = 1u;
+                    phi_528_ = 1u;
                 }
-                let _e352 = phi_525_;
-                if (_e272 < 0f) {
-                    phi_530_ = 0u;
+                let _e353 = phi_528_;
+                if (_e273 < 0f) {
+                    phi_533_ = 0u;
                 } else {
-                    phi_530_ = 2u;
+                    phi_533_ = 2u;
                 }
-                let _e355 = phi_530_;
-                if (_e282 < 0f) {
-                    phi_535_ = 0u;
+                let _e356 = phi_533_;
+                if (_e283 < 0f) {
+                    phi_538_ = 0u;
                 } else {
-                    phi_535_ = 4u;
+                    phi_538_ = 4u;
                 }
-                let _e358 = phi_535_;
-                let _e360 = ((_e352 | _e355) | _e358);
-                let _e361 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local = lt_bvh_traverse_Stack(array<u32, 32>(_e361.first[0], _e361.first[1], _e361.first[2], _e361.first[3], _e361.first[4], _e361.first[5], _e361.first[6], _e361.first[7], _e361.first[8], _e361.first[9], _e361.first[10], _e361.first[11], _e361.first[12], _e361.first[13], _e361.first[14], _e361.first[15], _e361.first[16], _e361.first[17], _e361.first[18], _e361.first[19], _e361.first[20], _e361.first[21], _e361.first[22], _e361.first[23], _e361.first[24], _e361.first[25], _e361.first[26], _e361.first[27], _e361.first[28], _e361.first[29], _e361.first[30], _e361.first[31]), array<u32, 32>(_e361.mask[0], _e361.mask[1], _e361.mask[2], _e361.mask[3], _e361.mask[4], _e361.mask[5], _e361.mask[6], _e361.mask[7], _e361.mask[8], _e361.mask[9], _e361.mask[10], _e361.mask[11], _e361.mask[12], _e361.mask[13], _e361.mask[14], _e361.mask[15], _e361.mask[16], _e361.mask[17], _e361.mask[18], _e361.mask[19], _e361.mask[20], _e361.mask[21], _e361.mask[22], _e361.mask[23], _e361.mask[24], _e361.mask[25], _e361.mask[26], _e361.mask[27], _e361.mask[28], _e361.mask[29], _e361.mask[30], _e361.mask[31]), _e361.len, _e361.group, _e361.group_mask);
-                let _e435 = local.group_mask;
-                if ((_e435 & 4278190080u) == 0u) {
-                    let _e439 = local.len;
-                    if (_e439 == 0u) {
-                        phi_649_ = false;
+                let _e359 = phi_538_;
+                let _e361 = ((_e353 | _e356) | _e359);
+                let _e362 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local = lt_bvh_traverse_Stack(array<u32, 32>(_e362.first[0], _e362.first[1], _e362.first[2], _e362.first[3], _e362.first[4], _e362.first[5], _e362.first[6], _e362.first[7], _e362.first[8], _e362.first[9], _e362.first[10], _e362.first[11], _e362.first[12], _e362.first[13], _e362.first[14], _e362.first[15], _e362.first[16], _e362.first[17], _e362.first[18], _e362.first[19], _e362.first[20], _e362.first[21], _e362.first[22], _e362.first[23], _e362.first[24], _e362.first[25], _e362.first[26], _e362.first[27], _e362.first[28], _e362.first[29], _e362.first[30], _e362.first[31]), array<u32, 32>(_e362.mask[0], _e362.mask[1], _e362.mask[2], _e362.mask[3], _e362.mask[4], _e362.mask[5], _e362.mask[6], _e362.mask[7], _e362.mask[8], _e362.mask[9], _e362.mask[10], _e362.mask[11], _e362.mask[12], _e362.mask[13], _e362.mask[14], _e362.mask[15], _e362.mask[16], _e362.mask[17], _e362.mask[18], _e362.mask[19], _e362.mask[20], _e362.mask[21], _e362.mask[22], _e362.mask[23], _e362.mask[24], _e362.mask[25], _e362.mask[26], _e362.mask[27], _e362.mask[28], _e362.mask[29], _e362.mask[30], _e362.mask[31]), _e362.len, _e362.group, _e362.group_mask);
+                let _e436 = local.group_mask;
+                if ((_e436 & 4278190080u) == 0u) {
+                    let _e440 = local.len;
+                    if (_e440 == 0u) {
+                        phi_652_ = false;
                     } else {
-                        let _e443 = local.len;
-                        local.len = (_e443 - 1u);
-                        let _e446 = local.len;
-                        if (_e446 < 32u) {
+                        let _e444 = local.len;
+                        local.len = (_e444 - 1u);
+                        let _e447 = local.len;
+                        if (_e447 < 32u) {
                         } else {
                             return;
                         }
-                        let _e451 = local.first[(0u + _e446)];
-                        local.group = _e451;
-                        let _e454 = local.len;
-                        if (_e454 < 32u) {
+                        let _e452 = local.first[(0u + _e447)];
+                        local.group = _e452;
+                        let _e455 = local.len;
+                        if (_e455 < 32u) {
                         } else {
                             return;
                         }
-                        let _e459 = local.mask[(0u + _e454)];
-                        local.group_mask = _e459;
-                        phi_649_ = true;
+                        let _e460 = local.mask[(0u + _e455)];
+                        local.group_mask = _e460;
+                        phi_652_ = true;
                     }
-                    let _e462 = phi_649_;
-                    phi_650_ = _e462;
+                    let _e463 = phi_652_;
+                    phi_653_ = _e463;
                 } else {
-                    phi_650_ = true;
+                    phi_653_ = true;
                 }
-                let _e464 = phi_650_;
-                if _e464 {
-                    let _e466 = local.group_mask;
-                    let _e472 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e466)), 32u, (_e466 == 0u)));
-                    let _e476 = local.group_mask;
-                    let _e490 = local.group_mask;
-                    local.group_mask = (_e490 & ~((1u << bitcast<u32>((_e472 & 31u)))));
-                    let _e493 = local.group;
-                    phi_681_ = (_e493 + countOneBits(((_e476 & ~((4294967295u << bitcast<u32>((((_e472 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e465 = phi_653_;
+                if _e465 {
+                    let _e467 = local.group_mask;
+                    let _e473 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e467)), 32u, (_e467 == 0u)));
+                    let _e477 = local.group_mask;
+                    let _e491 = local.group_mask;
+                    local.group_mask = (_e491 & ~((1u << bitcast<u32>((_e473 & 31u)))));
+                    let _e494 = local.group;
+                    phi_684_ = (_e494 + countOneBits(((_e477 & ~((4294967295u << bitcast<u32>((((_e473 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_681_ = 4294967295u;
+                    phi_684_ = 4294967295u;
                 }
-                let _e496 = phi_681_;
-                phi_683_ = _e496;
-                phi_686_ = false;
+                let _e497 = phi_684_;
+                phi_686_ = _e497;
+                phi_689_ = false;
                 loop {
-                    let _e498 = phi_683_;
-                    let _e500 = phi_686_;
-                    local_8 = _e500;
-                    if (_e498 != 4294967295u) {
-                        if (_e498 < _e59) {
+                    let _e499 = phi_686_;
+                    let _e501 = phi_689_;
+                    local_8 = _e501;
+                    if (_e499 != 4294967295u) {
+                        if (_e499 < _e59) {
                         } else {
                             return;
                         }
-                        let _e507 = nodes.member[(0u + _e498)].frame[3u];
-                        let _e532 = (bitcast<f32>((((_e507 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e262);
-                        let _e533 = (bitcast<f32>((((_e507 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e272);
-                        let _e534 = (bitcast<f32>((((_e507 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e282);
-                        let _e537 = nodes.member[(0u + _e498)].frame[0u];
-                        let _e541 = nodes.member[(0u + _e498)].frame[1u];
-                        let _e545 = nodes.member[(0u + _e498)].frame[2u];
-                        let _e550 = ((bitcast<f32>(_e537) - _e105) * _e262);
-                        let _e551 = ((bitcast<f32>(_e541) - _e107) * _e272);
-                        let _e552 = ((bitcast<f32>(_e545) - _e109) * _e282);
-                        let _e560 = nodes.member[(0u + _e498)].x;
-                        if (_e262 < 0f) {
-                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e571.unnamed.root, _e560.w), _e571.unnamed_1);
-                            let _e583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e560.x, _e577.unnamed_1.first_primitive));
-                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e583.unnamed, lt_bvh_traverse_Tree(_e583.unnamed_1.root, _e560.y));
+                        let _e508 = nodes.member[(0u + _e499)].frame[3u];
+                        let _e533 = (bitcast<f32>((((_e508 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e263);
+                        let _e534 = (bitcast<f32>((((_e508 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e273);
+                        let _e535 = (bitcast<f32>((((_e508 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e283);
+                        let _e538 = nodes.member[(0u + _e499)].frame[0u];
+                        let _e542 = nodes.member[(0u + _e499)].frame[1u];
+                        let _e546 = nodes.member[(0u + _e499)].frame[2u];
+                        let _e551 = ((bitcast<f32>(_e538) - _e104) * _e263);
+                        let _e552 = ((bitcast<f32>(_e542) - _e106) * _e273);
+                        let _e553 = ((bitcast<f32>(_e546) - _e108) * _e283);
+                        let _e561 = nodes.member[(0u + _e499)].x;
+                        if (_e263 < 0f) {
+                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e561.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e572.unnamed.root, _e561.w), _e572.unnamed_1);
+                            let _e584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e561.x, _e578.unnamed_1.first_primitive));
+                            phi_769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e584.unnamed, lt_bvh_traverse_Tree(_e584.unnamed_1.root, _e561.y));
                         } else {
-                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.unnamed.root, _e560.y), _e599.unnamed_1);
-                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e560.z, _e605.unnamed_1.first_primitive));
-                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_bvh_traverse_Tree(_e611.unnamed_1.root, _e560.w));
+                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e561.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e600.unnamed.root, _e561.y), _e600.unnamed_1);
+                            let _e612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e561.z, _e606.unnamed_1.first_primitive));
+                            phi_769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e612.unnamed, lt_bvh_traverse_Tree(_e612.unnamed_1.root, _e561.w));
                         }
-                        let _e619 = phi_766_;
-                        let _e629 = nodes.member[(0u + _e498)].y;
-                        if (_e272 < 0f) {
-                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.unnamed.root, _e629.w), _e640.unnamed_1);
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e629.x, _e646.unnamed_1.first_primitive));
-                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e652.unnamed_1.root, _e629.y));
+                        let _e620 = phi_769_;
+                        let _e630 = nodes.member[(0u + _e499)].y;
+                        if (_e273 < 0f) {
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e630.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e630.w), _e641.unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e630.x, _e647.unnamed_1.first_primitive));
+                            phi_796_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e630.y));
                         } else {
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.unnamed.root, _e629.y), _e668.unnamed_1);
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e629.z, _e674.unnamed_1.first_primitive));
-                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e680.unnamed_1.root, _e629.w));
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e630.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e669.unnamed.root, _e630.y), _e669.unnamed_1);
+                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e630.z, _e675.unnamed_1.first_primitive));
+                            phi_796_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_bvh_traverse_Tree(_e681.unnamed_1.root, _e630.w));
                         }
-                        let _e688 = phi_793_;
-                        let _e698 = nodes.member[(0u + _e498)].z;
-                        if (_e282 < 0f) {
-                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.unnamed.root, _e698.w), _e709.unnamed_1);
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e698.x, _e715.unnamed_1.first_primitive));
-                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e721.unnamed_1.root, _e698.y));
+                        let _e689 = phi_796_;
+                        let _e699 = nodes.member[(0u + _e499)].z;
+                        if (_e283 < 0f) {
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e699.w), _e710.unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e699.x, _e716.unnamed_1.first_primitive));
+                            phi_823_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e699.y));
                         } else {
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.unnamed.root, _e698.y), _e737.unnamed_1);
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e698.z, _e743.unnamed_1.first_primitive));
-                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e749.unnamed_1.root, _e698.w));
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e738.unnamed.root, _e699.y), _e738.unnamed_1);
+                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e699.z, _e744.unnamed_1.first_primitive));
+                            phi_823_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_bvh_traverse_Tree(_e750.unnamed_1.root, _e699.w));
                         }
-                        let _e757 = phi_820_;
-                        phi_826_ = 0u;
+                        let _e758 = phi_823_;
                         phi_829_ = 0u;
+                        phi_832_ = 0u;
                         loop {
-                            let _e767 = phi_826_;
-                            let _e769 = phi_829_;
-                            local_1 = _e769;
-                            local_2 = _e769;
-                            local_3 = _e769;
-                            let _e770 = (_e767 < 8u);
-                            if _e770 {
-                                let _e772 = (_e767 >> bitcast<u32>(2i));
-                                let _e773 = (_e767 & 3u);
-                                if (_e772 == 0u) {
-                                    phi_843_ = _e619.unnamed.root;
+                            let _e768 = phi_829_;
+                            let _e770 = phi_832_;
+                            local_1 = _e770;
+                            local_2 = _e770;
+                            local_3 = _e770;
+                            let _e771 = (_e768 < 8u);
+                            if _e771 {
+                                let _e773 = (_e768 >> bitcast<u32>(2i));
+                                let _e774 = (_e768 & 3u);
+                                if (_e773 == 0u) {
+                                    phi_846_ = _e620.unnamed.root;
                                 } else {
-                                    phi_843_ = _e619.unnamed.first_primitive;
+                                    phi_846_ = _e620.unnamed.first_primitive;
                                 }
-                                let _e776 = phi_843_;
-                                if (_e772 == 0u) {
-                                    phi_853_ = _e688.unnamed.root;
+                                let _e777 = phi_846_;
+                                if (_e773 == 0u) {
+                                    phi_856_ = _e689.unnamed.root;
                                 } else {
-                                    phi_853_ = _e688.unnamed.first_primitive;
+                                    phi_856_ = _e689.unnamed.first_primitive;
                                 }
-                                let _e785 = phi_853_;
-                                if (_e772 == 0u) {
-                                    phi_863_ = _e757.unnamed.root;
+                                let _e786 = phi_856_;
+                                if (_e773 == 0u) {
+                                    phi_866_ = _e758.unnamed.root;
                                 } else {
-                                    phi_863_ = _e757.unnamed.first_primitive;
+                                    phi_866_ = _e758.unnamed.first_primitive;
                                 }
-                                let _e794 = phi_863_;
-                                let _e807 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e776 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e310)), ((f32(((_e785 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e311)));
-                                let _e808 = core_intrinsics_maximum_number_nsz_f32_(_e807, ((f32(((_e794 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e312)));
-                                if (_e772 == 0u) {
-                                    phi_881_ = _e619.unnamed_1.root;
+                                let _e795 = phi_866_;
+                                let _e808 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e777 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e311)), ((f32(((_e786 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e312)));
+                                let _e809 = core_intrinsics_maximum_number_nsz_f32_(_e808, ((f32(((_e795 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e535) + (_e553 - _e313)));
+                                if (_e773 == 0u) {
+                                    phi_884_ = _e620.unnamed_1.root;
                                 } else {
-                                    phi_881_ = _e619.unnamed_1.first_primitive;
+                                    phi_884_ = _e620.unnamed_1.first_primitive;
                                 }
-                                let _e811 = phi_881_;
-                                if (_e772 == 0u) {
-                                    phi_891_ = _e688.unnamed_1.root;
+                                let _e812 = phi_884_;
+                                if (_e773 == 0u) {
+                                    phi_894_ = _e689.unnamed_1.root;
                                 } else {
-                                    phi_891_ = _e688.unnamed_1.first_primitive;
+                                    phi_894_ = _e689.unnamed_1.first_primitive;
                                 }
-                                let _e820 = phi_891_;
-                                if (_e772 == 0u) {
-                                    phi_901_ = _e757.unnamed_1.root;
+                                let _e821 = phi_894_;
+                                if (_e773 == 0u) {
+                                    phi_904_ = _e758.unnamed_1.root;
                                 } else {
-                                    phi_901_ = _e757.unnamed_1.first_primitive;
+                                    phi_904_ = _e758.unnamed_1.first_primitive;
                                 }
-                                let _e829 = phi_901_;
-                                let _e842 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e811 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e310)), ((f32(((_e820 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e311)));
-                                let _e843 = core_intrinsics_minimum_number_nsz_f32_(_e842, ((f32(((_e829 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e312)));
-                                if (_e808 <= _e843) {
-                                    if (_e808 <= _e113) {
-                                        if (_e843 >= 0f) {
-                                            if (_e772 == 0u) {
-                                                let _e850 = nodes.member[(0u + _e498)].links[2u];
-                                                phi_937_ = _e850;
+                                let _e830 = phi_904_;
+                                let _e843 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e812 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e311)), ((f32(((_e821 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e312)));
+                                let _e844 = core_intrinsics_minimum_number_nsz_f32_(_e843, ((f32(((_e830 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e535) + (_e553 + _e313)));
+                                if (_e809 <= _e844) {
+                                    if (_e809 <= _e114) {
+                                        if (_e844 >= 0f) {
+                                            if (_e773 == 0u) {
+                                                let _e851 = nodes.member[(0u + _e499)].links[2u];
+                                                phi_940_ = _e851;
                                             } else {
-                                                let _e853 = nodes.member[(0u + _e498)].links[3u];
-                                                phi_937_ = _e853;
+                                                let _e854 = nodes.member[(0u + _e499)].links[3u];
+                                                phi_940_ = _e854;
                                             }
-                                            let _e855 = phi_937_;
-                                            let _e860 = ((_e855 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u);
-                                            let _e861 = (_e860 & 31u);
-                                            if (_e861 >= 24u) {
-                                                phi_950_ = (24u + ((_e861 - 24u) ^ _e360));
+                                            let _e856 = phi_940_;
+                                            let _e861 = ((_e856 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u);
+                                            let _e862 = (_e861 & 31u);
+                                            if (_e862 >= 24u) {
+                                                phi_953_ = (24u + ((_e862 - 24u) ^ _e361));
                                             } else {
-                                                phi_950_ = _e861;
+                                                phi_953_ = _e862;
                                             }
-                                            let _e867 = phi_950_;
-                                            phi_955_ = (_e769 | ((_e860 >> bitcast<u32>(5i)) << bitcast<u32>((_e867 & 31u))));
+                                            let _e868 = phi_953_;
+                                            phi_958_ = (_e770 | ((_e861 >> bitcast<u32>(5i)) << bitcast<u32>((_e868 & 31u))));
                                         } else {
-                                            phi_955_ = _e769;
+                                            phi_958_ = _e770;
                                         }
-                                        let _e875 = phi_955_;
-                                        phi_956_ = _e875;
+                                        let _e876 = phi_958_;
+                                        phi_959_ = _e876;
                                     } else {
-                                        phi_956_ = _e769;
+                                        phi_959_ = _e770;
                                     }
-                                    let _e877 = phi_956_;
-                                    phi_957_ = _e877;
+                                    let _e878 = phi_959_;
+                                    phi_960_ = _e878;
                                 } else {
-                                    phi_957_ = _e769;
+                                    phi_960_ = _e770;
                                 }
-                                let _e879 = phi_957_;
-                                phi_827_ = (_e767 + 1u);
-                                phi_830_ = _e879;
+                                let _e880 = phi_960_;
+                                phi_830_ = (_e768 + 1u);
+                                phi_833_ = _e880;
                             } else {
-                                phi_827_ = u32();
                                 phi_830_ = u32();
+                                phi_833_ = u32();
                             }
-                            let _e882 = phi_827_;
-                            let _e884 = phi_830_;
+                            let _e883 = phi_830_;
+                            let _e885 = phi_833_;
                             continue;
                             continuing {
-                                phi_826_ = _e882;
-                                phi_829_ = _e884;
-                                break if !(_e770);
+                                phi_829_ = _e883;
+                                phi_832_ = _e885;
+                                break if !(_e771);
                             }
                         }
-                        let _e888 = nodes.member[(0u + _e498)].links[0u];
-                        let _e892 = nodes.member[(0u + _e498)].frame[3u];
-                        let _e896 = local_1;
-                        if ((_e896 & 4278190080u) == 0u) {
+                        let _e889 = nodes.member[(0u + _e499)].links[0u];
+                        let _e893 = nodes.member[(0u + _e499)].frame[3u];
+                        let _e897 = local_1;
+                        if ((_e897 & 4278190080u) == 0u) {
                         } else {
-                            let _e900 = local.group_mask;
-                            if ((_e900 & 4278190080u) == 0u) {
+                            let _e901 = local.group_mask;
+                            if ((_e901 & 4278190080u) == 0u) {
                             } else {
-                                let _e904 = local.len;
-                                if (_e904 < 32u) {
-                                    let _e907 = local.group;
-                                    let _e909 = local.len;
-                                    if (_e909 < 32u) {
+                                let _e905 = local.len;
+                                if (_e905 < 32u) {
+                                    let _e908 = local.group;
+                                    let _e910 = local.len;
+                                    if (_e910 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e909)] = _e907;
-                                    let _e915 = local.group_mask;
-                                    let _e917 = local.len;
-                                    if (_e917 < 32u) {
+                                    local.first[(0u + _e910)] = _e908;
+                                    let _e916 = local.group_mask;
+                                    let _e918 = local.len;
+                                    if (_e918 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e917)] = _e915;
-                                    let _e924 = local.len;
-                                    local.len = (_e924 + 1u);
+                                    local.mask[(0u + _e918)] = _e916;
+                                    let _e925 = local.len;
+                                    local.len = (_e925 + 1u);
                                 }
                             }
-                            local.group = (0u + _e888);
-                            let _e928 = local_2;
-                            local.group_mask = ((_e928 & 4278190080u) | (_e892 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e889);
+                            let _e929 = local_2;
+                            local.group_mask = ((_e929 & 4278190080u) | (_e893 >> bitcast<u32>(24i)));
                         }
-                        let _e933 = local_3;
-                        phi_1015_ = (_e933 & 16777215u);
-                        phi_1018_ = _e500;
+                        let _e934 = local_3;
+                        phi_1018_ = (_e934 & 16777215u);
+                        phi_1021_ = _e501;
                         loop {
-                            let _e936 = phi_1015_;
-                            let _e938 = phi_1018_;
-                            local_6 = _e938;
-                            let _e939 = (_e936 == 0u);
-                            local_4 = _e939;
-                            local_7 = _e939;
-                            if _e939 {
-                                phi_1016_ = u32();
-                                phi_1019_ = bool();
-                                phi_1616_ = false;
+                            let _e937 = phi_1018_;
+                            let _e939 = phi_1021_;
+                            local_6 = _e939;
+                            let _e940 = (_e937 == 0u);
+                            local_4 = _e940;
+                            local_7 = _e940;
+                            if _e940 {
+                                phi_1019_ = u32();
+                                phi_1022_ = bool();
+                                phi_1619_ = false;
                             } else {
-                                let _e942 = nodes.member[(0u + _e498)].links[1u];
-                                let _e947 = ((0u + _e942) + select(firstTrailingBit(_e936), 32u, (_e936 == 0u)));
-                                if (_e947 < arrayLength((&triangles.member))) {
+                                let _e943 = nodes.member[(0u + _e499)].links[1u];
+                                let _e948 = ((0u + _e943) + select(firstTrailingBit(_e937), 32u, (_e937 == 0u)));
+                                if (_e948 < arrayLength((&triangles.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e954 = triangles.member[(0u + _e947)].v0_;
-                                let _e956 = (_e954.x - _e105);
-                                let _e958 = (_e954.y - _e107);
-                                let _e960 = (_e954.z - _e109);
-                                if (_e333 == 0u) {
-                                    phi_1063_ = vec3<f32>(_e958, _e960, _e956);
+                                let _e955 = triangles.member[(0u + _e948)].v0_;
+                                let _e957 = (_e955.x - _e104);
+                                let _e959 = (_e955.y - _e106);
+                                let _e961 = (_e955.z - _e108);
+                                if (_e334 == 0u) {
+                                    phi_1066_ = vec3<f32>(_e959, _e961, _e957);
                                 } else {
-                                    if (_e333 == 1u) {
-                                        phi_1062_ = vec3<f32>(_e960, _e956, _e958);
+                                    if (_e334 == 1u) {
+                                        phi_1065_ = vec3<f32>(_e961, _e957, _e959);
                                     } else {
-                                        phi_1062_ = (_e954 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1065_ = (_e955 - vec3<f32>(_e104, _e106, _e108));
                                     }
-                                    let _e968 = phi_1062_;
-                                    phi_1063_ = _e968;
+                                    let _e969 = phi_1065_;
+                                    phi_1066_ = _e969;
                                 }
-                                let _e970 = phi_1063_;
-                                let _e974 = (_e970.x - (_e344 * _e970.z));
-                                let _e978 = (_e970.y - (_e347 * _e970.z));
-                                let _e980 = triangles.member[(0u + _e947)].v1_;
-                                let _e982 = (_e980.x - _e105);
-                                let _e984 = (_e980.y - _e107);
-                                let _e986 = (_e980.z - _e109);
-                                if (_e333 == 0u) {
-                                    phi_1093_ = vec3<f32>(_e984, _e986, _e982);
+                                let _e971 = phi_1066_;
+                                let _e975 = (_e971.x - (_e345 * _e971.z));
+                                let _e979 = (_e971.y - (_e348 * _e971.z));
+                                let _e981 = triangles.member[(0u + _e948)].v1_;
+                                let _e983 = (_e981.x - _e104);
+                                let _e985 = (_e981.y - _e106);
+                                let _e987 = (_e981.z - _e108);
+                                if (_e334 == 0u) {
+                                    phi_1096_ = vec3<f32>(_e985, _e987, _e983);
                                 } else {
-                                    if (_e333 == 1u) {
-                                        phi_1092_ = vec3<f32>(_e986, _e982, _e984);
+                                    if (_e334 == 1u) {
+                                        phi_1095_ = vec3<f32>(_e987, _e983, _e985);
                                     } else {
-                                        phi_1092_ = (_e980 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1095_ = (_e981 - vec3<f32>(_e104, _e106, _e108));
                                     }
-                                    let _e994 = phi_1092_;
-                                    phi_1093_ = _e994;
+                                    let _e995 = phi_1095_;
+                                    phi_1096_ = _e995;
                                 }
-                                let _e996 = phi_1093_;
-                                let _e1000 = (_e996.x - (_e344 * _e996.z));
-                                let _e1004 = (_e996.y - (_e347 * _e996.z));
-                                let _e1006 = triangles.member[(0u + _e947)].v2_;
-                                let _e1008 = (_e1006.x - _e105);
-                                let _e1010 = (_e1006.y - _e107);
-                                let _e1012 = (_e1006.z - _e109);
-                                if (_e333 == 0u) {
-                                    phi_1123_ = vec3<f32>(_e1010, _e1012, _e1008);
+                                let _e997 = phi_1096_;
+                                let _e1001 = (_e997.x - (_e345 * _e997.z));
+                                let _e1005 = (_e997.y - (_e348 * _e997.z));
+                                let _e1007 = triangles.member[(0u + _e948)].v2_;
+                                let _e1009 = (_e1007.x - _e104);
+                                let _e1011 = (_e1007.y - _e106);
+                                let _e1013 = (_e1007.z - _e108);
+                                if (_e334 == 0u) {
+                                    phi_1126_ = vec3<f32>(_e1011, _e1013, _e1009);
                                 } else {
-                                    if (_e333 == 1u) {
-                                        phi_1122_ = vec3<f32>(_e1012, _e1008, _e1010);
+                                    if (_e334 == 1u) {
+                                        phi_1125_ = vec3<f32>(_e1013, _e1009, _e1011);
                                     } else {
-                                        phi_1122_ = (_e1006 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1125_ = (_e1007 - vec3<f32>(_e104, _e106, _e108));
                                     }
-                                    let _e1020 = phi_1122_;
-                                    phi_1123_ = _e1020;
+                                    let _e1021 = phi_1125_;
+                                    phi_1126_ = _e1021;
                                 }
-                                let _e1022 = phi_1123_;
-                                let _e1026 = (_e1022.x - (_e344 * _e1022.z));
-                                let _e1030 = (_e1022.y - (_e347 * _e1022.z));
-                                if (_e1000 < _e1026) {
-                                    phi_1142_ = true;
+                                let _e1023 = phi_1126_;
+                                let _e1027 = (_e1023.x - (_e345 * _e1023.z));
+                                let _e1031 = (_e1023.y - (_e348 * _e1023.z));
+                                if (_e1001 < _e1027) {
+                                    phi_1145_ = true;
                                 } else {
-                                    if (_e1000 == _e1026) {
-                                        phi_1141_ = (_e1004 < _e1030);
+                                    if (_e1001 == _e1027) {
+                                        phi_1144_ = (_e1005 < _e1031);
                                     } else {
-                                        phi_1141_ = false;
+                                        phi_1144_ = false;
                                     }
-                                    let _e1035 = phi_1141_;
-                                    phi_1142_ = _e1035;
+                                    let _e1036 = phi_1144_;
+                                    phi_1145_ = _e1036;
                                 }
-                                let _e1037 = phi_1142_;
-                                if _e1037 {
-                                    phi_1146_ = _e1030;
-                                    phi_1147_ = _e1026;
-                                    phi_1148_ = _e1004;
-                                    phi_1149_ = _e1000;
+                                let _e1038 = phi_1145_;
+                                if _e1038 {
+                                    phi_1149_ = _e1031;
+                                    phi_1150_ = _e1027;
+                                    phi_1151_ = _e1005;
+                                    phi_1152_ = _e1001;
                                 } else {
-                                    phi_1146_ = _e1004;
-                                    phi_1147_ = _e1000;
-                                    phi_1148_ = _e1030;
-                                    phi_1149_ = _e1026;
+                                    phi_1149_ = _e1005;
+                                    phi_1150_ = _e1001;
+                                    phi_1151_ = _e1031;
+                                    phi_1152_ = _e1027;
                                 }
-                                let _e1039 = phi_1146_;
-                                let _e1041 = phi_1147_;
-                                let _e1043 = phi_1148_;
-                                let _e1045 = phi_1149_;
-                                let _e1048 = ((_e1045 * _e1039) - (_e1043 * _e1041));
-                                if _e1037 {
-                                    phi_1157_ = -(_e1048);
+                                let _e1040 = phi_1149_;
+                                let _e1042 = phi_1150_;
+                                let _e1044 = phi_1151_;
+                                let _e1046 = phi_1152_;
+                                let _e1049 = ((_e1046 * _e1040) - (_e1044 * _e1042));
+                                if _e1038 {
+                                    phi_1160_ = -(_e1049);
                                 } else {
-                                    phi_1157_ = _e1048;
+                                    phi_1160_ = _e1049;
                                 }
-                                let _e1051 = phi_1157_;
-                                if (_e1026 < _e974) {
-                                    phi_1168_ = true;
+                                let _e1052 = phi_1160_;
+                                if (_e1027 < _e975) {
+                                    phi_1171_ = true;
                                 } else {
-                                    if (_e1026 == _e974) {
-                                        phi_1167_ = (_e1030 < _e978);
+                                    if (_e1027 == _e975) {
+                                        phi_1170_ = (_e1031 < _e979);
                                     } else {
-                                        phi_1167_ = false;
+                                        phi_1170_ = false;
                                     }
-                                    let _e1056 = phi_1167_;
-                                    phi_1168_ = _e1056;
+                                    let _e1057 = phi_1170_;
+                                    phi_1171_ = _e1057;
                                 }
-                                let _e1058 = phi_1168_;
-                                if _e1058 {
-                                    phi_1172_ = _e978;
-                                    phi_1173_ = _e974;
-                                    phi_1174_ = _e1030;
-                                    phi_1175_ = _e1026;
+                                let _e1059 = phi_1171_;
+                                if _e1059 {
+                                    phi_1175_ = _e979;
+                                    phi_1176_ = _e975;
+                                    phi_1177_ = _e1031;
+                                    phi_1178_ = _e1027;
                                 } else {
-                                    phi_1172_ = _e1030;
-                                    phi_1173_ = _e1026;
-                                    phi_1174_ = _e978;
-                                    phi_1175_ = _e974;
+                                    phi_1175_ = _e1031;
+                                    phi_1176_ = _e1027;
+                                    phi_1177_ = _e979;
+                                    phi_1178_ = _e975;
                                 }
-                                let _e1060 = phi_1172_;
-                                let _e1062 = phi_1173_;
-                                let _e1064 = phi_1174_;
-                                let _e1066 = phi_1175_;
-                                let _e1069 = ((_e1066 * _e1060) - (_e1064 * _e1062));
-                                if _e1058 {
-                                    phi_1183_ = -(_e1069);
+                                let _e1061 = phi_1175_;
+                                let _e1063 = phi_1176_;
+                                let _e1065 = phi_1177_;
+                                let _e1067 = phi_1178_;
+                                let _e1070 = ((_e1067 * _e1061) - (_e1065 * _e1063));
+                                if _e1059 {
+                                    phi_1186_ = -(_e1070);
                                 } else {
-                                    phi_1183_ = _e1069;
+                                    phi_1186_ = _e1070;
                                 }
-                                let _e1072 = phi_1183_;
-                                if (_e974 < _e1000) {
-                                    phi_1194_ = true;
+                                let _e1073 = phi_1186_;
+                                if (_e975 < _e1001) {
+                                    phi_1197_ = true;
                                 } else {
-                                    if (_e974 == _e1000) {
-                                        phi_1193_ = (_e978 < _e1004);
+                                    if (_e975 == _e1001) {
+                                        phi_1196_ = (_e979 < _e1005);
                                     } else {
-                                        phi_1193_ = false;
+                                        phi_1196_ = false;
                                     }
-                                    let _e1077 = phi_1193_;
-                                    phi_1194_ = _e1077;
+                                    let _e1078 = phi_1196_;
+                                    phi_1197_ = _e1078;
                                 }
-                                let _e1079 = phi_1194_;
-                                if _e1079 {
-                                    phi_1198_ = _e1004;
-                                    phi_1199_ = _e1000;
-                                    phi_1200_ = _e978;
-                                    phi_1201_ = _e974;
+                                let _e1080 = phi_1197_;
+                                if _e1080 {
+                                    phi_1201_ = _e1005;
+                                    phi_1202_ = _e1001;
+                                    phi_1203_ = _e979;
+                                    phi_1204_ = _e975;
                                 } else {
-                                    phi_1198_ = _e978;
-                                    phi_1199_ = _e974;
-                                    phi_1200_ = _e1004;
-                                    phi_1201_ = _e1000;
+                                    phi_1201_ = _e979;
+                                    phi_1202_ = _e975;
+                                    phi_1203_ = _e1005;
+                                    phi_1204_ = _e1001;
                                 }
-                                let _e1081 = phi_1198_;
-                                let _e1083 = phi_1199_;
-                                let _e1085 = phi_1200_;
-                                let _e1087 = phi_1201_;
-                                let _e1090 = ((_e1087 * _e1081) - (_e1085 * _e1083));
-                                if _e1079 {
-                                    phi_1209_ = -(_e1090);
+                                let _e1082 = phi_1201_;
+                                let _e1084 = phi_1202_;
+                                let _e1086 = phi_1203_;
+                                let _e1088 = phi_1204_;
+                                let _e1091 = ((_e1088 * _e1082) - (_e1086 * _e1084));
+                                if _e1080 {
+                                    phi_1212_ = -(_e1091);
                                 } else {
-                                    phi_1209_ = _e1090;
+                                    phi_1212_ = _e1091;
                                 }
-                                let _e1093 = phi_1209_;
-                                if (_e1051 >= 0f) {
-                                    if (_e1072 >= 0f) {
-                                        if (_e1093 >= 0f) {
-                                            phi_1224_ = ((_e1051 + _e1072) + _e1093);
-                                            phi_1225_ = false;
+                                let _e1094 = phi_1212_;
+                                if (_e1052 >= 0f) {
+                                    if (_e1073 >= 0f) {
+                                        if (_e1094 >= 0f) {
+                                            phi_1227_ = ((_e1052 + _e1073) + _e1094);
+                                            phi_1228_ = false;
                                         } else {
-                                            phi_1224_ = f32();
-                                            phi_1225_ = true;
+                                            phi_1227_ = f32();
+                                            phi_1228_ = true;
                                         }
-                                        let _e1100 = phi_1224_;
-                                        let _e1102 = phi_1225_;
-                                        phi_1226_ = _e1100;
-                                        phi_1227_ = _e1102;
+                                        let _e1101 = phi_1227_;
+                                        let _e1103 = phi_1228_;
+                                        phi_1229_ = _e1101;
+                                        phi_1230_ = _e1103;
                                     } else {
-                                        phi_1226_ = f32();
-                                        phi_1227_ = true;
+                                        phi_1229_ = f32();
+                                        phi_1230_ = true;
                                     }
-                                    let _e1104 = phi_1226_;
-                                    let _e1106 = phi_1227_;
-                                    phi_1228_ = _e1104;
-                                    phi_1229_ = _e1106;
+                                    let _e1105 = phi_1229_;
+                                    let _e1107 = phi_1230_;
+                                    phi_1231_ = _e1105;
+                                    phi_1232_ = _e1107;
                                 } else {
-                                    phi_1228_ = f32();
-                                    phi_1229_ = true;
+                                    phi_1231_ = f32();
+                                    phi_1232_ = true;
                                 }
-                                let _e1108 = phi_1228_;
-                                let _e1110 = phi_1229_;
-                                if _e1110 {
-                                    if (_e1051 <= 0f) {
-                                        if (_e1072 <= 0f) {
-                                            let _e1113 = (_e1093 <= 0f);
-                                            if _e1113 {
+                                let _e1109 = phi_1231_;
+                                let _e1111 = phi_1232_;
+                                if _e1111 {
+                                    if (_e1052 <= 0f) {
+                                        if (_e1073 <= 0f) {
+                                            let _e1114 = (_e1094 <= 0f);
+                                            if _e1114 {
                                             }
-                                            phi_1247_ = ((_e1051 + _e1072) + _e1093);
-                                            phi_1248_ = false;
-                                            phi_1249_ = _e1113;
+                                            phi_1250_ = ((_e1052 + _e1073) + _e1094);
+                                            phi_1251_ = false;
+                                            phi_1252_ = _e1114;
                                         } else {
-                                            phi_1247_ = f32();
-                                            phi_1248_ = true;
-                                            phi_1249_ = false;
+                                            phi_1250_ = f32();
+                                            phi_1251_ = true;
+                                            phi_1252_ = false;
                                         }
-                                        let _e1117 = phi_1247_;
-                                        let _e1119 = phi_1248_;
-                                        let _e1121 = phi_1249_;
-                                        phi_1250_ = _e1117;
-                                        phi_1251_ = _e1119;
-                                        phi_1252_ = _e1121;
+                                        let _e1118 = phi_1250_;
+                                        let _e1120 = phi_1251_;
+                                        let _e1122 = phi_1252_;
+                                        phi_1253_ = _e1118;
+                                        phi_1254_ = _e1120;
+                                        phi_1255_ = _e1122;
                                     } else {
-                                        phi_1250_ = f32();
-                                        phi_1251_ = true;
-                                        phi_1252_ = false;
+                                        phi_1253_ = f32();
+                                        phi_1254_ = true;
+                                        phi_1255_ = false;
                                     }
-                                    let _e1123 = phi_1250_;
-                                    let _e1125 = phi_1251_;
-                                    let _e1127 = phi_1252_;
-                                    if _e1125 {
-                                        phi_1256_ = false;
+                                    let _e1124 = phi_1253_;
+                                    let _e1126 = phi_1254_;
+                                    let _e1128 = phi_1255_;
+                                    if _e1126 {
+                                        phi_1259_ = false;
                                     } else {
-                                        phi_1256_ = _e1127;
+                                        phi_1259_ = _e1128;
                                     }
-                                    let _e1129 = phi_1256_;
-                                    phi_1257_ = _e1123;
-                                    phi_1258_ = _e1129;
+                                    let _e1130 = phi_1259_;
+                                    phi_1260_ = _e1124;
+                                    phi_1261_ = _e1130;
                                 } else {
-                                    phi_1257_ = _e1108;
-                                    phi_1258_ = true;
+                                    phi_1260_ = _e1109;
+                                    phi_1261_ = true;
                                 }
-                                let _e1131 = phi_1257_;
-                                let _e1133 = phi_1258_;
-                                if _e1133 {
-                                    let _e1134 = (_e1131 == 0f);
-                                    if _e1134 {
-                                        phi_1574_ = lt_bvh_triangle_Intersection();
-                                        phi_1575_ = false;
+                                let _e1132 = phi_1260_;
+                                let _e1134 = phi_1261_;
+                                if _e1134 {
+                                    let _e1135 = (_e1132 == 0f);
+                                    if _e1135 {
+                                        phi_1577_ = lt_bvh_triangle_Intersection();
+                                        phi_1578_ = false;
                                     } else {
-                                        let _e1136 = triangles.member[(0u + _e947)].v0_;
-                                        let _e1138 = (_e1136.x - _e105);
-                                        let _e1140 = (_e1136.y - _e107);
-                                        let _e1142 = (_e1136.z - _e109);
-                                        if (_e333 == 0u) {
-                                            phi_1287_ = vec3<f32>(_e1140, _e1142, _e1138);
+                                        let _e1137 = triangles.member[(0u + _e948)].v0_;
+                                        let _e1139 = (_e1137.x - _e104);
+                                        let _e1141 = (_e1137.y - _e106);
+                                        let _e1143 = (_e1137.z - _e108);
+                                        if (_e334 == 0u) {
+                                            phi_1290_ = vec3<f32>(_e1141, _e1143, _e1139);
                                         } else {
-                                            if (_e333 == 1u) {
-                                                phi_1286_ = vec3<f32>(_e1142, _e1138, _e1140);
+                                            if (_e334 == 1u) {
+                                                phi_1289_ = vec3<f32>(_e1143, _e1139, _e1141);
                                             } else {
-                                                phi_1286_ = (_e1136 - vec3<f32>(_e105, _e107, _e109));
+                                                phi_1289_ = (_e1137 - vec3<f32>(_e104, _e106, _e108));
                                             }
-                                            let _e1150 = phi_1286_;
-                                            phi_1287_ = _e1150;
+                                            let _e1151 = phi_1289_;
+                                            phi_1290_ = _e1151;
                                         }
-                                        let _e1152 = phi_1287_;
-                                        let _e1154 = triangles.member[(0u + _e947)].v1_;
-                                        let _e1156 = triangles.member[(0u + _e947)].v0_;
-                                        let _e1159 = (_e1154.x - _e1156.x);
-                                        let _e1162 = (_e1154.y - _e1156.y);
-                                        let _e1165 = (_e1154.z - _e1156.z);
-                                        if (_e333 == 0u) {
-                                            phi_1313_ = vec3<f32>(_e1162, _e1165, _e1159);
+                                        let _e1153 = phi_1290_;
+                                        let _e1155 = triangles.member[(0u + _e948)].v1_;
+                                        let _e1157 = triangles.member[(0u + _e948)].v0_;
+                                        let _e1160 = (_e1155.x - _e1157.x);
+                                        let _e1163 = (_e1155.y - _e1157.y);
+                                        let _e1166 = (_e1155.z - _e1157.z);
+                                        if (_e334 == 0u) {
+                                            phi_1316_ = vec3<f32>(_e1163, _e1166, _e1160);
                                         } else {
-                                            if (_e333 == 1u) {
-                                                phi_1312_ = vec3<f32>(_e1165, _e1159, _e1162);
+                                            if (_e334 == 1u) {
+                                                phi_1315_ = vec3<f32>(_e1166, _e1160, _e1163);
                                             } else {
-                                                phi_1312_ = (_e1154 - _e1156);
+                                                phi_1315_ = (_e1155 - _e1157);
                                             }
-                                            let _e1172 = phi_1312_;
-                                            phi_1313_ = _e1172;
+                                            let _e1173 = phi_1315_;
+                                            phi_1316_ = _e1173;
                                         }
-                                        let _e1174 = phi_1313_;
-                                        let _e1176 = triangles.member[(0u + _e947)].v2_;
-                                        let _e1178 = triangles.member[(0u + _e947)].v0_;
-                                        let _e1181 = (_e1176.x - _e1178.x);
-                                        let _e1184 = (_e1176.y - _e1178.y);
-                                        let _e1187 = (_e1176.z - _e1178.z);
-                                        if (_e333 == 0u) {
-                                            phi_1339_ = vec3<f32>(_e1184, _e1187, _e1181);
+                                        let _e1175 = phi_1316_;
+                                        let _e1177 = triangles.member[(0u + _e948)].v2_;
+                                        let _e1179 = triangles.member[(0u + _e948)].v0_;
+                                        let _e1182 = (_e1177.x - _e1179.x);
+                                        let _e1185 = (_e1177.y - _e1179.y);
+                                        let _e1188 = (_e1177.z - _e1179.z);
+                                        if (_e334 == 0u) {
+                                            phi_1342_ = vec3<f32>(_e1185, _e1188, _e1182);
                                         } else {
-                                            if (_e333 == 1u) {
-                                                phi_1338_ = vec3<f32>(_e1187, _e1181, _e1184);
+                                            if (_e334 == 1u) {
+                                                phi_1341_ = vec3<f32>(_e1188, _e1182, _e1185);
                                             } else {
-                                                phi_1338_ = (_e1176 - _e1178);
+                                                phi_1341_ = (_e1177 - _e1179);
                                             }
-                                            let _e1194 = phi_1338_;
-                                            phi_1339_ = _e1194;
+                                            let _e1195 = phi_1341_;
+                                            phi_1342_ = _e1195;
                                         }
-                                        let _e1196 = phi_1339_;
-                                        let _e1203 = ((_e1174.y * _e1196.z) - (_e1174.z * _e1196.y));
-                                        let _e1210 = ((_e1174.z * _e1196.x) - (_e1174.x * _e1196.z));
-                                        let _e1217 = ((_e1174.x * _e1196.y) - (_e1174.y * _e1196.x));
-                                        let _e1231 = (((1f / _e341.z) * (((_e1203 * _e1152.x) + (_e1210 * _e1152.y)) + (_e1217 * _e1152.z))) / (((_e1203 * _e344) + (_e1210 * _e347)) + _e1217));
-                                        if (_e1231 > 0f) {
-                                            if (_e1231 < _e113) {
-                                                let _e1235 = triangles.member[(0u + _e947)].v0_;
-                                                let _e1237 = triangles.member[(0u + _e947)].v1_;
-                                                if (_e1235.x < _e1237.x) {
-                                                    phi_1395_ = _e1235.x;
+                                        let _e1197 = phi_1342_;
+                                        let _e1204 = ((_e1175.y * _e1197.z) - (_e1175.z * _e1197.y));
+                                        let _e1211 = ((_e1175.z * _e1197.x) - (_e1175.x * _e1197.z));
+                                        let _e1218 = ((_e1175.x * _e1197.y) - (_e1175.y * _e1197.x));
+                                        let _e1232 = (((1f / _e342.z) * (((_e1204 * _e1153.x) + (_e1211 * _e1153.y)) + (_e1218 * _e1153.z))) / (((_e1204 * _e345) + (_e1211 * _e348)) + _e1218));
+                                        if (_e1232 > 0f) {
+                                            if (_e1232 < _e114) {
+                                                let _e1236 = triangles.member[(0u + _e948)].v0_;
+                                                let _e1238 = triangles.member[(0u + _e948)].v1_;
+                                                if (_e1236.x < _e1238.x) {
+                                                    phi_1398_ = _e1236.x;
                                                 } else {
-                                                    phi_1395_ = _e1237.x;
+                                                    phi_1398_ = _e1238.x;
                                                 }
-                                                let _e1244 = phi_1395_;
-                                                if (_e1235.y < _e1237.y) {
-                                                    phi_1404_ = _e1235.y;
+                                                let _e1245 = phi_1398_;
+                                                if (_e1236.y < _e1238.y) {
+                                                    phi_1407_ = _e1236.y;
                                                 } else {
-                                                    phi_1404_ = _e1237.y;
+                                                    phi_1407_ = _e1238.y;
                                                 }
-                                                let _e1251 = phi_1404_;
-                                                if (_e1235.z < _e1237.z) {
-                                                    phi_1413_ = _e1235.z;
+                                                let _e1252 = phi_1407_;
+                                                if (_e1236.z < _e1238.z) {
+                                                    phi_1416_ = _e1236.z;
                                                 } else {
-                                                    phi_1413_ = _e1237.z;
+                                                    phi_1416_ = _e1238.z;
                                                 }
-                                                let _e1258 = phi_1413_;
-                                                let _e1260 = triangles.member[(0u + _e947)].v2_;
-                                                if (_e1244 < _e1260.x) {
-                                                    phi_1422_ = _e1244;
+                                                let _e1259 = phi_1416_;
+                                                let _e1261 = triangles.member[(0u + _e948)].v2_;
+                                                if (_e1245 < _e1261.x) {
+                                                    phi_1425_ = _e1245;
                                                 } else {
-                                                    phi_1422_ = _e1260.x;
+                                                    phi_1425_ = _e1261.x;
                                                 }
-                                                let _e1265 = phi_1422_;
-                                                if (_e1251 < _e1260.y) {
-                                                    phi_1429_ = _e1251;
+                                                let _e1266 = phi_1425_;
+                                                if (_e1252 < _e1261.y) {
+                                                    phi_1432_ = _e1252;
                                                 } else {
-                                                    phi_1429_ = _e1260.y;
+                                                    phi_1432_ = _e1261.y;
                                                 }
-                                                let _e1270 = phi_1429_;
-                                                if (_e1258 < _e1260.z) {
-                                                    phi_1436_ = _e1258;
+                                                let _e1271 = phi_1432_;
+                                                if (_e1259 < _e1261.z) {
+                                                    phi_1439_ = _e1259;
                                                 } else {
-                                                    phi_1436_ = _e1260.z;
+                                                    phi_1439_ = _e1261.z;
                                                 }
-                                                let _e1275 = phi_1436_;
-                                                let _e1277 = triangles.member[(0u + _e947)].v0_;
-                                                let _e1279 = triangles.member[(0u + _e947)].v1_;
-                                                if (_e1277.x > _e1279.x) {
-                                                    phi_1449_ = _e1277.x;
+                                                let _e1276 = phi_1439_;
+                                                let _e1278 = triangles.member[(0u + _e948)].v0_;
+                                                let _e1280 = triangles.member[(0u + _e948)].v1_;
+                                                if (_e1278.x > _e1280.x) {
+                                                    phi_1452_ = _e1278.x;
                                                 } else {
-                                                    phi_1449_ = _e1279.x;
+                                                    phi_1452_ = _e1280.x;
                                                 }
-                                                let _e1286 = phi_1449_;
-                                                if (_e1277.y > _e1279.y) {
-                                                    phi_1458_ = _e1277.y;
+                                                let _e1287 = phi_1452_;
+                                                if (_e1278.y > _e1280.y) {
+                                                    phi_1461_ = _e1278.y;
                                                 } else {
-                                                    phi_1458_ = _e1279.y;
+                                                    phi_1461_ = _e1280.y;
                                                 }
-                                                let _e1293 = phi_1458_;
-                                                if (_e1277.z > _e1279.z) {
-                                                    phi_1467_ = _e1277.z;
+                                                let _e1294 = phi_1461_;
+                                                if (_e1278.z > _e1280.z) {
+                                                    phi_1470_ = _e1278.z;
                                                 } else {
-                                                    phi_1467_ = _e1279.z;
+                                                    phi_1470_ = _e1280.z;
                                                 }
-                                                let _e1300 = phi_1467_;
-                                                let _e1302 = triangles.member[(0u + _e947)].v2_;
-                                                if (_e1286 > _e1302.x) {
-                                                    phi_1476_ = _e1286;
+                                                let _e1301 = phi_1470_;
+                                                let _e1303 = triangles.member[(0u + _e948)].v2_;
+                                                if (_e1287 > _e1303.x) {
+                                                    phi_1479_ = _e1287;
                                                 } else {
-                                                    phi_1476_ = _e1302.x;
+                                                    phi_1479_ = _e1303.x;
                                                 }
-                                                let _e1307 = phi_1476_;
-                                                if (_e1293 > _e1302.y) {
-                                                    phi_1483_ = _e1293;
+                                                let _e1308 = phi_1479_;
+                                                if (_e1294 > _e1303.y) {
+                                                    phi_1486_ = _e1294;
                                                 } else {
-                                                    phi_1483_ = _e1302.y;
+                                                    phi_1486_ = _e1303.y;
                                                 }
-                                                let _e1312 = phi_1483_;
-                                                if (_e1300 > _e1302.z) {
-                                                    phi_1490_ = _e1300;
+                                                let _e1313 = phi_1486_;
+                                                if (_e1301 > _e1303.z) {
+                                                    phi_1493_ = _e1301;
                                                 } else {
-                                                    phi_1490_ = _e1302.z;
+                                                    phi_1493_ = _e1303.z;
                                                 }
-                                                let _e1317 = phi_1490_;
-                                                let _e1321 = ((_e1265 - _e105) * _e262);
-                                                let _e1322 = ((_e1270 - _e107) * _e272);
-                                                let _e1323 = ((_e1275 - _e109) * _e282);
-                                                let _e1327 = ((_e1307 - _e105) * _e262);
-                                                let _e1328 = ((_e1312 - _e107) * _e272);
-                                                let _e1329 = ((_e1317 - _e109) * _e282);
-                                                if (_e1321 < _e1327) {
-                                                    phi_1507_ = _e1321;
-                                                } else {
-                                                    phi_1507_ = _e1327;
-                                                }
-                                                let _e1332 = phi_1507_;
+                                                let _e1318 = phi_1493_;
+                                                let _e1322 = ((_e1266 - _e104) * _e263);
+                                                let _e1323 = ((_e1271 - _e106) * _e273);
+                                                let _e1324 = ((_e1276 - _e108) * _e283);
+                                                let _e1328 = ((_e1308 - _e104) * _e263);
+                                                let _e1329 = ((_e1313 - _e106) * _e273);
+                                                let _e1330 = ((_e1318 - _e108) * _e283);
                                                 if (_e1322 < _e1328) {
-                                                    phi_1512_ = _e1322;
+                                                    phi_1510_ = _e1322;
                                                 } else {
-                                                    phi_1512_ = _e1328;
+                                                    phi_1510_ = _e1328;
                                                 }
-                                                let _e1335 = phi_1512_;
+                                                let _e1333 = phi_1510_;
                                                 if (_e1323 < _e1329) {
-                                                    phi_1517_ = _e1323;
+                                                    phi_1515_ = _e1323;
                                                 } else {
-                                                    phi_1517_ = _e1329;
+                                                    phi_1515_ = _e1329;
                                                 }
-                                                let _e1338 = phi_1517_;
-                                                if (_e1321 > _e1327) {
-                                                    phi_1525_ = _e1321;
+                                                let _e1336 = phi_1515_;
+                                                if (_e1324 < _e1330) {
+                                                    phi_1520_ = _e1324;
                                                 } else {
-                                                    phi_1525_ = _e1327;
+                                                    phi_1520_ = _e1330;
                                                 }
-                                                let _e1344 = phi_1525_;
+                                                let _e1339 = phi_1520_;
                                                 if (_e1322 > _e1328) {
-                                                    phi_1530_ = _e1322;
+                                                    phi_1528_ = _e1322;
                                                 } else {
-                                                    phi_1530_ = _e1328;
+                                                    phi_1528_ = _e1328;
                                                 }
-                                                let _e1347 = phi_1530_;
+                                                let _e1345 = phi_1528_;
                                                 if (_e1323 > _e1329) {
-                                                    phi_1535_ = _e1323;
+                                                    phi_1533_ = _e1323;
                                                 } else {
-                                                    phi_1535_ = _e1329;
+                                                    phi_1533_ = _e1329;
                                                 }
-                                                let _e1350 = phi_1535_;
-                                                let _e1354 = core_intrinsics_maximum_number_nsz_f32_((_e1332 - _e317), (_e1335 - _e318));
-                                                let _e1355 = core_intrinsics_maximum_number_nsz_f32_(_e1354, (_e1338 - _e319));
-                                                let _e1356 = core_intrinsics_minimum_number_nsz_f32_((_e1344 + _e317), (_e1347 + _e318));
-                                                let _e1357 = core_intrinsics_minimum_number_nsz_f32_(_e1356, (_e1350 + _e319));
-                                                if (_e1355 > -300000000000000000000000000000000000000f) {
-                                                    phi_1547_ = _e1355;
+                                                let _e1348 = phi_1533_;
+                                                if (_e1324 > _e1330) {
+                                                    phi_1538_ = _e1324;
                                                 } else {
-                                                    phi_1547_ = -300000000000000000000000000000000000000f;
+                                                    phi_1538_ = _e1330;
                                                 }
-                                                let _e1360 = phi_1547_;
-                                                if (_e1357 < 300000000000000000000000000000000000000f) {
-                                                    phi_1552_ = _e1357;
+                                                let _e1351 = phi_1538_;
+                                                let _e1355 = core_intrinsics_maximum_number_nsz_f32_((_e1333 - _e318), (_e1336 - _e319));
+                                                let _e1356 = core_intrinsics_maximum_number_nsz_f32_(_e1355, (_e1339 - _e320));
+                                                let _e1357 = core_intrinsics_minimum_number_nsz_f32_((_e1345 + _e318), (_e1348 + _e319));
+                                                let _e1358 = core_intrinsics_minimum_number_nsz_f32_(_e1357, (_e1351 + _e320));
+                                                if (_e1356 > -300000000000000000000000000000000000000f) {
+                                                    phi_1550_ = _e1356;
                                                 } else {
-                                                    phi_1552_ = 300000000000000000000000000000000000000f;
+                                                    phi_1550_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1363 = phi_1552_;
-                                                if (_e1231 < _e1360) {
-                                                    phi_1557_ = _e1360;
+                                                let _e1361 = phi_1550_;
+                                                if (_e1358 < 300000000000000000000000000000000000000f) {
+                                                    phi_1555_ = _e1358;
                                                 } else {
-                                                    phi_1557_ = _e1231;
+                                                    phi_1555_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1366 = phi_1557_;
-                                                if (_e1366 > _e1363) {
-                                                    phi_1562_ = _e1363;
+                                                let _e1364 = phi_1555_;
+                                                if (_e1232 < _e1361) {
+                                                    phi_1560_ = _e1361;
                                                 } else {
-                                                    phi_1562_ = _e1366;
+                                                    phi_1560_ = _e1232;
                                                 }
-                                                let _e1369 = phi_1562_;
-                                                phi_1567_ = lt_bvh_triangle_Intersection(_e1369, (_e1072 / _e1131), (_e1093 / _e1131), (_e1360 <= _e1363));
-                                                phi_1568_ = false;
+                                                let _e1367 = phi_1560_;
+                                                if (_e1367 > _e1364) {
+                                                    phi_1565_ = _e1364;
+                                                } else {
+                                                    phi_1565_ = _e1367;
+                                                }
+                                                let _e1370 = phi_1565_;
+                                                phi_1570_ = lt_bvh_triangle_Intersection(_e1370, (_e1073 / _e1132), (_e1094 / _e1132), (_e1361 <= _e1364));
+                                                phi_1571_ = false;
                                             } else {
-                                                phi_1567_ = lt_bvh_triangle_Intersection();
-                                                phi_1568_ = true;
+                                                phi_1570_ = lt_bvh_triangle_Intersection();
+                                                phi_1571_ = true;
                                             }
-                                            let _e1375 = phi_1567_;
-                                            let _e1377 = phi_1568_;
-                                            phi_1569_ = _e1375;
-                                            phi_1570_ = _e1377;
+                                            let _e1376 = phi_1570_;
+                                            let _e1378 = phi_1571_;
+                                            phi_1572_ = _e1376;
+                                            phi_1573_ = _e1378;
                                         } else {
-                                            phi_1569_ = lt_bvh_triangle_Intersection();
-                                            phi_1570_ = true;
+                                            phi_1572_ = lt_bvh_triangle_Intersection();
+                                            phi_1573_ = true;
                                         }
-                                        let _e1379 = phi_1569_;
-                                        let _e1381 = phi_1570_;
-                                        if _e1381 {
+                                        let _e1380 = phi_1572_;
+                                        let _e1382 = phi_1573_;
+                                        if _e1382 {
                                         }
-                                        phi_1574_ = _e1379;
-                                        phi_1575_ = _e1381;
+                                        phi_1577_ = _e1380;
+                                        phi_1578_ = _e1382;
                                     }
-                                    let _e1383 = phi_1574_;
-                                    let _e1385 = phi_1575_;
-                                    phi_1576_ = _e1383;
-                                    phi_1577_ = _e1134;
-                                    phi_1578_ = _e1385;
+                                    let _e1384 = phi_1577_;
+                                    let _e1386 = phi_1578_;
+                                    phi_1579_ = _e1384;
+                                    phi_1580_ = _e1135;
+                                    phi_1581_ = _e1386;
                                 } else {
-                                    phi_1576_ = lt_bvh_triangle_Intersection();
-                                    phi_1577_ = true;
-                                    phi_1578_ = false;
+                                    phi_1579_ = lt_bvh_triangle_Intersection();
+                                    phi_1580_ = true;
+                                    phi_1581_ = false;
                                 }
-                                let _e1387 = phi_1576_;
-                                let _e1389 = phi_1577_;
-                                let _e1391 = phi_1578_;
-                                if _e1389 {
-                                    phi_1582_ = true;
+                                let _e1388 = phi_1579_;
+                                let _e1390 = phi_1580_;
+                                let _e1392 = phi_1581_;
+                                if _e1390 {
+                                    phi_1585_ = true;
                                 } else {
-                                    phi_1582_ = _e1391;
+                                    phi_1585_ = _e1392;
                                 }
-                                let _e1393 = phi_1582_;
-                                if _e1393 {
-                                    phi_1586_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1394 = phi_1585_;
+                                if _e1394 {
+                                    phi_1589_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1586_ = _e1387;
+                                    phi_1589_ = _e1388;
                                 }
-                                let _e1395 = phi_1586_;
-                                if _e1395.is_hit {
-                                    if (_e1395.t > 0f) {
-                                        if (_e1395.t < _e113) {
+                                let _e1396 = phi_1589_;
+                                if _e1396.is_hit {
+                                    if (_e1396.t > 0f) {
+                                        if (_e1396.t < _e114) {
                                             if true {
-                                                phi_1606_ = false;
+                                                phi_1609_ = false;
                                             } else {
-                                                phi_1606_ = true;
+                                                phi_1609_ = true;
                                             }
-                                            let _e1404 = phi_1606_;
-                                            phi_1607_ = true;
-                                            phi_1608_ = _e1404;
+                                            let _e1405 = phi_1609_;
+                                            phi_1610_ = true;
+                                            phi_1611_ = _e1405;
                                         } else {
-                                            phi_1607_ = _e938;
-                                            phi_1608_ = true;
+                                            phi_1610_ = _e939;
+                                            phi_1611_ = true;
                                         }
-                                        let _e1406 = phi_1607_;
-                                        let _e1408 = phi_1608_;
-                                        phi_1609_ = _e1406;
-                                        phi_1610_ = _e1408;
+                                        let _e1407 = phi_1610_;
+                                        let _e1409 = phi_1611_;
+                                        phi_1612_ = _e1407;
+                                        phi_1613_ = _e1409;
                                     } else {
-                                        phi_1609_ = _e938;
-                                        phi_1610_ = true;
+                                        phi_1612_ = _e939;
+                                        phi_1613_ = true;
                                     }
-                                    let _e1410 = phi_1609_;
-                                    let _e1412 = phi_1610_;
-                                    phi_1611_ = _e1410;
-                                    phi_1612_ = _e1412;
+                                    let _e1411 = phi_1612_;
+                                    let _e1413 = phi_1613_;
+                                    phi_1614_ = _e1411;
+                                    phi_1615_ = _e1413;
                                 } else {
-                                    phi_1611_ = _e938;
-                                    phi_1612_ = true;
+                                    phi_1614_ = _e939;
+                                    phi_1615_ = true;
                                 }
-                                let _e1414 = phi_1611_;
-                                let _e1416 = phi_1612_;
-                                if _e1416 {
+                                let _e1415 = phi_1614_;
+                                let _e1417 = phi_1615_;
+                                if _e1417 {
                                 }
-                                phi_1016_ = (_e936 & (_e936 - 1u));
-                                phi_1019_ = _e1414;
-                                phi_1616_ = _e1416;
+                                phi_1019_ = (_e937 & (_e937 - 1u));
+                                phi_1022_ = _e1415;
+                                phi_1619_ = _e1417;
                             }
-                            let _e1418 = phi_1016_;
-                            let _e1420 = phi_1019_;
-                            let _e1422 = phi_1616_;
+                            let _e1419 = phi_1019_;
+                            let _e1421 = phi_1022_;
+                            let _e1423 = phi_1619_;
                             continue;
                             continuing {
-                                phi_1015_ = _e1418;
-                                phi_1018_ = _e1420;
-                                break if !(_e1422);
+                                phi_1018_ = _e1419;
+                                phi_1021_ = _e1421;
+                                break if !(_e1423);
                             }
                         }
-                        let _e1425 = local_4;
-                        if _e1425 {
-                            let _e1427 = local.group_mask;
-                            if ((_e1427 & 4278190080u) == 0u) {
-                                let _e1431 = local.len;
-                                if (_e1431 == 0u) {
-                                    phi_1658_ = false;
+                        let _e1426 = local_4;
+                        if _e1426 {
+                            let _e1428 = local.group_mask;
+                            if ((_e1428 & 4278190080u) == 0u) {
+                                let _e1432 = local.len;
+                                if (_e1432 == 0u) {
+                                    phi_1661_ = false;
                                 } else {
-                                    let _e1435 = local.len;
-                                    local.len = (_e1435 - 1u);
-                                    let _e1438 = local.len;
-                                    if (_e1438 < 32u) {
+                                    let _e1436 = local.len;
+                                    local.len = (_e1436 - 1u);
+                                    let _e1439 = local.len;
+                                    if (_e1439 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1443 = local.first[(0u + _e1438)];
-                                    local.group = _e1443;
-                                    let _e1446 = local.len;
-                                    if (_e1446 < 32u) {
+                                    let _e1444 = local.first[(0u + _e1439)];
+                                    local.group = _e1444;
+                                    let _e1447 = local.len;
+                                    if (_e1447 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1451 = local.mask[(0u + _e1446)];
-                                    local.group_mask = _e1451;
-                                    phi_1658_ = true;
+                                    let _e1452 = local.mask[(0u + _e1447)];
+                                    local.group_mask = _e1452;
+                                    phi_1661_ = true;
                                 }
-                                let _e1454 = phi_1658_;
-                                phi_1659_ = _e1454;
+                                let _e1455 = phi_1661_;
+                                phi_1662_ = _e1455;
                             } else {
-                                phi_1659_ = true;
+                                phi_1662_ = true;
                             }
-                            let _e1456 = phi_1659_;
-                            if _e1456 {
-                                let _e1458 = local.group_mask;
-                                let _e1464 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1458)), 32u, (_e1458 == 0u)));
-                                let _e1468 = local.group_mask;
-                                let _e1482 = local.group_mask;
-                                local.group_mask = (_e1482 & ~((1u << bitcast<u32>((_e1464 & 31u)))));
-                                let _e1485 = local.group;
-                                phi_1690_ = (_e1485 + countOneBits(((_e1468 & ~((4294967295u << bitcast<u32>((((_e1464 - 24u) ^ _e360) & 31u))))) & 255u)));
+                            let _e1457 = phi_1662_;
+                            if _e1457 {
+                                let _e1459 = local.group_mask;
+                                let _e1465 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1459)), 32u, (_e1459 == 0u)));
+                                let _e1469 = local.group_mask;
+                                let _e1483 = local.group_mask;
+                                local.group_mask = (_e1483 & ~((1u << bitcast<u32>((_e1465 & 31u)))));
+                                let _e1486 = local.group;
+                                phi_1693_ = (_e1486 + countOneBits(((_e1469 & ~((4294967295u << bitcast<u32>((((_e1465 - 24u) ^ _e361) & 31u))))) & 255u)));
                             } else {
-                                phi_1690_ = 4294967295u;
+                                phi_1693_ = 4294967295u;
                             }
-                            let _e1488 = phi_1690_;
-                            phi_1691_ = _e1488;
+                            let _e1489 = phi_1693_;
+                            phi_1694_ = _e1489;
                         } else {
-                            phi_1691_ = u32();
+                            phi_1694_ = u32();
                         }
-                        let _e1490 = phi_1691_;
-                        phi_684_ = _e1490;
-                        let _e1714 = local_6;
-                        phi_687_ = _e1714;
-                        let _e1717 = local_7;
-                        phi_1692_ = _e1717;
-                        phi_1693_ = false;
+                        let _e1491 = phi_1694_;
+                        phi_687_ = _e1491;
+                        let _e1715 = local_6;
+                        phi_690_ = _e1715;
+                        let _e1718 = local_7;
+                        phi_1695_ = _e1718;
+                        phi_1696_ = false;
                     } else {
-                        phi_684_ = u32();
-                        phi_687_ = bool();
-                        phi_1692_ = false;
-                        phi_1693_ = true;
+                        phi_687_ = u32();
+                        phi_690_ = bool();
+                        phi_1695_ = false;
+                        phi_1696_ = true;
                     }
-                    let _e1492 = phi_684_;
-                    let _e1494 = phi_687_;
-                    let _e1496 = phi_1692_;
-                    let _e1498 = phi_1693_;
-                    local_5 = _e1498;
+                    let _e1493 = phi_687_;
+                    let _e1495 = phi_690_;
+                    let _e1497 = phi_1695_;
+                    let _e1499 = phi_1696_;
+                    local_5 = _e1499;
                     continue;
                     continuing {
-                        phi_683_ = _e1492;
-                        phi_686_ = _e1494;
-                        break if !(_e1496);
+                        phi_686_ = _e1493;
+                        phi_689_ = _e1495;
+                        break if !(_e1497);
                     }
                 }
-                let _e1501 = local_5;
-                if _e1501 {
-                    phi_1697_ = false;
+                let _e1502 = local_5;
+                if _e1502 {
+                    phi_1700_ = false;
                 } else {
-                    phi_1697_ = true;
+                    phi_1700_ = true;
                 }
-                let _e1503 = phi_1697_;
-                if _e1503 {
-                    phi_1701_ = true;
+                let _e1504 = phi_1700_;
+                if _e1504 {
+                    phi_1704_ = true;
                 } else {
-                    let _e1723 = local_8;
-                    phi_1701_ = _e1723;
+                    let _e1724 = local_8;
+                    phi_1704_ = _e1724;
                 }
-                let _e1505 = phi_1701_;
-                phi_1702_ = _e1505;
+                let _e1506 = phi_1704_;
+                phi_1705_ = _e1506;
             }
-            let _e1507 = phi_1702_;
-            phi_1703_ = _e1507;
-            phi_1704_ = _e186;
+            let _e1508 = phi_1705_;
+            phi_1706_ = _e1508;
+            phi_1707_ = _e187;
         } else {
-            phi_1703_ = bool();
-            phi_1704_ = true;
+            phi_1706_ = bool();
+            phi_1707_ = true;
         }
-        let _e1509 = phi_1703_;
-        let _e1511 = phi_1704_;
-        if _e1511 {
-            phi_1708_ = false;
+        let _e1510 = phi_1706_;
+        let _e1512 = phi_1707_;
+        if _e1512 {
+            phi_1711_ = false;
         } else {
-            phi_1708_ = _e1509;
+            phi_1711_ = _e1510;
         }
-        let _e1513 = phi_1708_;
-        if _e1513 {
-            phi_1712_ = 0f;
+        let _e1514 = phi_1711_;
+        if _e1514 {
+            phi_1715_ = 0f;
         } else {
-            phi_1712_ = 1f;
+            phi_1715_ = 1f;
         }
-        let _e1515 = phi_1712_;
+        let _e1516 = phi_1715_;
         if (_e84 < _e65) {
         } else {
             return;
         }
-        visibility.member[(0u + _e84)] = _e1515;
+        visibility.member[(0u + _e84)] = _e1516;
         if (_e84 < _e71) {
         } else {
             return;
         }
-        let _e1522 = bits.member[(0u + _e84)];
-        if ((_e1522 & 2u) == 0u) {
-            phi_1733_ = (_e1522 & 1u);
+        let _e1523 = bits.member[(0u + _e84)];
+        if ((_e1523 & 2u) == 0u) {
+            phi_1736_ = (_e1523 & 1u);
         } else {
-            phi_1733_ = (_e1522 & 7u);
+            phi_1736_ = (_e1523 & 7u);
         }
-        let _e1528 = phi_1733_;
+        let _e1529 = phi_1736_;
         if (_e84 < _e65) {
         } else {
             return;
         }
-        let _e1532 = visibility.member[(0u + _e84)];
-        if ((_e1528 & 1u) != 0u) {
-            phi_1748_ = (2u | 1u);
+        let _e1533 = visibility.member[(0u + _e84)];
+        if ((_e1529 & 1u) != 0u) {
+            phi_1751_ = (2u | 1u);
         } else {
-            phi_1748_ = 2u;
+            phi_1751_ = 2u;
         }
-        let _e1538 = phi_1748_;
-        if (_e1532 < 0.5f) {
-            phi_1753_ = (_e1538 | 4u);
+        let _e1539 = phi_1751_;
+        if (_e1533 < 0.5f) {
+            phi_1756_ = (_e1539 | 4u);
         } else {
-            phi_1753_ = _e1538;
+            phi_1756_ = _e1539;
         }
-        let _e1541 = phi_1753_;
+        let _e1542 = phi_1756_;
         if (_e84 < _e71) {
         } else {
             return;
         }
-        bits.member[(0u + _e84)] = _e1541;
+        bits.member[(0u + _e84)] = _e1542;
     }
     return;
 }

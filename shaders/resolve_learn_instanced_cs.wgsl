@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -41,18 +50,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_31 {
+struct type_32 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_36 {
+struct type_37 {
     member: array<lt_bvh_Node>,
 }
 
@@ -77,7 +86,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_40 {
+struct type_41 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -104,7 +113,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_50 {
+struct type_51 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -114,72 +123,69 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_31;
+var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> nodes: type_36;
+var<storage> nodes: type_37;
 @group(0) @binding(3) 
-var<storage> triangles: type_40;
+var<storage> triangles: type_41;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 @group(0) @binding(7) 
-var<storage> instances: type_50;
+var<storage> instances: type_51;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_164_: bool;
-    var phi_168_: f32;
+    var phi_166_: bool;
+    var phi_170_: f32;
 
     if (param != param) {
-        phi_164_ = true;
+        phi_166_ = true;
     } else {
         let _e56 = (param_1 >= param);
         if _e56 {
         }
-        phi_164_ = _e56;
+        phi_166_ = _e56;
     }
-    let _e58 = phi_164_;
+    let _e58 = phi_166_;
     if _e58 {
-        phi_168_ = param_1;
+        phi_170_ = param_1;
     } else {
-        phi_168_ = param;
+        phi_170_ = param;
     }
-    let _e60 = phi_168_;
+    let _e60 = phi_170_;
     return _e60;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_180_: bool;
-    var phi_184_: f32;
+    var phi_182_: bool;
+    var phi_186_: f32;
 
     if (param_2 != param_2) {
-        phi_180_ = true;
+        phi_182_ = true;
     } else {
         let _e56 = (param_3 <= param_2);
         if _e56 {
         }
-        phi_180_ = _e56;
+        phi_182_ = _e56;
     }
-    let _e58 = phi_180_;
+    let _e58 = phi_182_;
     if _e58 {
-        phi_184_ = param_3;
+        phi_186_ = param_3;
     } else {
-        phi_184_ = param_2;
+        phi_186_ = param_2;
     }
-    let _e60 = phi_184_;
+    let _e60 = phi_186_;
     return _e60;
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_268_: f32;
-    var phi_324_: bool;
-    var phi_325_: bool;
-    var phi_326_: bool;
-    var phi_330_: bool;
-    var phi_331_: bool;
-    var phi_332_: bool;
+    var phi_271_: f32;
+    var phi_327_: bool;
+    var phi_328_: bool;
+    var phi_329_: bool;
     var phi_333_: bool;
     var phi_334_: bool;
     var phi_335_: bool;
@@ -195,60 +201,60 @@ fn function_() {
     var phi_345_: bool;
     var phi_346_: bool;
     var phi_347_: bool;
-    var phi_351_: bool;
-    var phi_355_: bool;
-    var phi_425_: f32;
-    var phi_432_: f32;
-    var phi_439_: f32;
-    var phi_446_: f32;
-    var phi_453_: f32;
-    var phi_460_: f32;
-    var phi_477_: f32;
-    var phi_482_: f32;
-    var phi_487_: f32;
-    var phi_508_: u32;
-    var phi_513_: u32;
-    var phi_518_: u32;
-    var phi_632_: bool;
-    var phi_633_: bool;
-    var phi_664_: u32;
-    var phi_666_: u32;
-    var phi_669_: bool;
-    var phi_749_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_776_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_803_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_809_: u32;
+    var phi_348_: bool;
+    var phi_349_: bool;
+    var phi_350_: bool;
+    var phi_354_: bool;
+    var phi_358_: bool;
+    var phi_428_: f32;
+    var phi_435_: f32;
+    var phi_442_: f32;
+    var phi_449_: f32;
+    var phi_456_: f32;
+    var phi_463_: f32;
+    var phi_480_: f32;
+    var phi_485_: f32;
+    var phi_490_: f32;
+    var phi_511_: u32;
+    var phi_516_: u32;
+    var phi_521_: u32;
+    var phi_635_: bool;
+    var phi_636_: bool;
+    var phi_667_: u32;
+    var phi_669_: u32;
+    var phi_672_: bool;
+    var phi_752_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_779_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_806_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_812_: u32;
-    var phi_826_: u32;
-    var phi_836_: u32;
-    var phi_846_: u32;
-    var phi_864_: u32;
-    var phi_874_: u32;
-    var phi_884_: u32;
-    var phi_920_: u32;
-    var phi_933_: u32;
-    var phi_938_: u32;
-    var phi_939_: u32;
-    var phi_940_: u32;
-    var phi_810_: u32;
+    var phi_815_: u32;
+    var phi_829_: u32;
+    var phi_839_: u32;
+    var phi_849_: u32;
+    var phi_867_: u32;
+    var phi_877_: u32;
+    var phi_887_: u32;
+    var phi_923_: u32;
+    var phi_936_: u32;
+    var phi_941_: u32;
+    var phi_942_: u32;
+    var phi_943_: u32;
     var phi_813_: u32;
+    var phi_816_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_998_: u32;
-    var phi_1001_: bool;
-    var phi_1050_: f32;
-    var phi_1055_: f32;
-    var phi_1060_: f32;
-    var phi_1068_: f32;
-    var phi_1073_: f32;
-    var phi_1078_: f32;
-    var phi_1222_: bool;
-    var phi_1223_: bool;
-    var phi_1224_: bool;
-    var phi_1228_: bool;
-    var phi_1229_: bool;
-    var phi_1230_: bool;
+    var phi_1001_: u32;
+    var phi_1004_: bool;
+    var phi_1053_: f32;
+    var phi_1058_: f32;
+    var phi_1063_: f32;
+    var phi_1071_: f32;
+    var phi_1076_: f32;
+    var phi_1081_: f32;
+    var phi_1225_: bool;
+    var phi_1226_: bool;
+    var phi_1227_: bool;
     var phi_1231_: bool;
     var phi_1232_: bool;
     var phi_1233_: bool;
@@ -264,192 +270,195 @@ fn function_() {
     var phi_1243_: bool;
     var phi_1244_: bool;
     var phi_1245_: bool;
-    var phi_1249_: bool;
-    var phi_1253_: bool;
-    var phi_1323_: f32;
-    var phi_1330_: f32;
-    var phi_1337_: f32;
-    var phi_1344_: f32;
-    var phi_1351_: f32;
-    var phi_1358_: f32;
-    var phi_1375_: f32;
-    var phi_1380_: f32;
-    var phi_1385_: f32;
-    var phi_1413_: bool;
-    var phi_1414_: bool;
-    var phi_1422_: u32;
-    var phi_1423_: u32;
-    var phi_1434_: vec3<f32>;
-    var phi_1435_: vec3<f32>;
-    var phi_1448_: u32;
-    var phi_1453_: u32;
-    var phi_1458_: u32;
-    var phi_1572_: bool;
-    var phi_1573_: bool;
-    var phi_1604_: u32;
-    var phi_1606_: u32;
-    var phi_1609_: bool;
-    var phi_1689_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1716_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1743_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1749_: u32;
+    var phi_1246_: bool;
+    var phi_1247_: bool;
+    var phi_1248_: bool;
+    var phi_1252_: bool;
+    var phi_1256_: bool;
+    var phi_1326_: f32;
+    var phi_1333_: f32;
+    var phi_1340_: f32;
+    var phi_1347_: f32;
+    var phi_1354_: f32;
+    var phi_1361_: f32;
+    var phi_1378_: f32;
+    var phi_1383_: f32;
+    var phi_1388_: f32;
+    var phi_1416_: bool;
+    var phi_1417_: bool;
+    var phi_1425_: u32;
+    var phi_1426_: u32;
+    var phi_1437_: vec3<f32>;
+    var phi_1438_: vec3<f32>;
+    var phi_1451_: u32;
+    var phi_1456_: u32;
+    var phi_1461_: u32;
+    var phi_1575_: bool;
+    var phi_1576_: bool;
+    var phi_1607_: u32;
+    var phi_1609_: u32;
+    var phi_1612_: bool;
+    var phi_1692_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1719_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1746_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1752_: u32;
-    var phi_1766_: u32;
-    var phi_1776_: u32;
-    var phi_1786_: u32;
-    var phi_1804_: u32;
-    var phi_1814_: u32;
-    var phi_1824_: u32;
-    var phi_1860_: u32;
-    var phi_1873_: u32;
-    var phi_1878_: u32;
-    var phi_1879_: u32;
-    var phi_1880_: u32;
-    var phi_1750_: u32;
+    var phi_1755_: u32;
+    var phi_1769_: u32;
+    var phi_1779_: u32;
+    var phi_1789_: u32;
+    var phi_1807_: u32;
+    var phi_1817_: u32;
+    var phi_1827_: u32;
+    var phi_1863_: u32;
+    var phi_1876_: u32;
+    var phi_1881_: u32;
+    var phi_1882_: u32;
+    var phi_1883_: u32;
     var phi_1753_: u32;
+    var phi_1756_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_1938_: u32;
-    var phi_1941_: bool;
-    var phi_1985_: vec3<f32>;
-    var phi_1986_: vec3<f32>;
-    var phi_2015_: vec3<f32>;
-    var phi_2016_: vec3<f32>;
-    var phi_2045_: vec3<f32>;
-    var phi_2046_: vec3<f32>;
-    var phi_2064_: bool;
-    var phi_2065_: bool;
-    var phi_2069_: f32;
-    var phi_2070_: f32;
-    var phi_2071_: f32;
+    var phi_1941_: u32;
+    var phi_1944_: bool;
+    var phi_1988_: vec3<f32>;
+    var phi_1989_: vec3<f32>;
+    var phi_2018_: vec3<f32>;
+    var phi_2019_: vec3<f32>;
+    var phi_2048_: vec3<f32>;
+    var phi_2049_: vec3<f32>;
+    var phi_2067_: bool;
+    var phi_2068_: bool;
     var phi_2072_: f32;
-    var phi_2080_: f32;
-    var phi_2090_: bool;
-    var phi_2091_: bool;
-    var phi_2095_: f32;
-    var phi_2096_: f32;
-    var phi_2097_: f32;
+    var phi_2073_: f32;
+    var phi_2074_: f32;
+    var phi_2075_: f32;
+    var phi_2083_: f32;
+    var phi_2093_: bool;
+    var phi_2094_: bool;
     var phi_2098_: f32;
-    var phi_2106_: f32;
-    var phi_2116_: bool;
-    var phi_2117_: bool;
-    var phi_2121_: f32;
-    var phi_2122_: f32;
-    var phi_2123_: f32;
+    var phi_2099_: f32;
+    var phi_2100_: f32;
+    var phi_2101_: f32;
+    var phi_2109_: f32;
+    var phi_2119_: bool;
+    var phi_2120_: bool;
     var phi_2124_: f32;
-    var phi_2132_: f32;
-    var phi_2147_: f32;
-    var phi_2148_: bool;
-    var phi_2149_: f32;
-    var phi_2150_: bool;
-    var phi_2151_: f32;
-    var phi_2152_: bool;
-    var phi_2170_: f32;
-    var phi_2171_: bool;
-    var phi_2172_: bool;
+    var phi_2125_: f32;
+    var phi_2126_: f32;
+    var phi_2127_: f32;
+    var phi_2135_: f32;
+    var phi_2150_: f32;
+    var phi_2151_: bool;
+    var phi_2152_: f32;
+    var phi_2153_: bool;
+    var phi_2154_: f32;
+    var phi_2155_: bool;
     var phi_2173_: f32;
     var phi_2174_: bool;
     var phi_2175_: bool;
-    var phi_2179_: bool;
-    var phi_2180_: f32;
-    var phi_2181_: bool;
-    var phi_2209_: vec3<f32>;
-    var phi_2210_: vec3<f32>;
-    var phi_2235_: vec3<f32>;
-    var phi_2236_: vec3<f32>;
-    var phi_2261_: vec3<f32>;
-    var phi_2262_: vec3<f32>;
-    var phi_2318_: f32;
-    var phi_2327_: f32;
-    var phi_2336_: f32;
-    var phi_2345_: f32;
-    var phi_2352_: f32;
-    var phi_2359_: f32;
-    var phi_2372_: f32;
-    var phi_2381_: f32;
-    var phi_2390_: f32;
-    var phi_2399_: f32;
-    var phi_2406_: f32;
-    var phi_2413_: f32;
-    var phi_2430_: f32;
-    var phi_2435_: f32;
-    var phi_2440_: f32;
-    var phi_2448_: f32;
-    var phi_2453_: f32;
-    var phi_2458_: f32;
-    var phi_2470_: f32;
-    var phi_2475_: f32;
-    var phi_2480_: f32;
-    var phi_2485_: f32;
-    var phi_2490_: lt_bvh_triangle_Intersection;
-    var phi_2491_: bool;
-    var phi_2492_: lt_bvh_triangle_Intersection;
-    var phi_2493_: bool;
-    var phi_2497_: lt_bvh_triangle_Intersection;
-    var phi_2498_: bool;
-    var phi_2499_: lt_bvh_triangle_Intersection;
-    var phi_2500_: bool;
+    var phi_2176_: f32;
+    var phi_2177_: bool;
+    var phi_2178_: bool;
+    var phi_2182_: bool;
+    var phi_2183_: f32;
+    var phi_2184_: bool;
+    var phi_2212_: vec3<f32>;
+    var phi_2213_: vec3<f32>;
+    var phi_2238_: vec3<f32>;
+    var phi_2239_: vec3<f32>;
+    var phi_2264_: vec3<f32>;
+    var phi_2265_: vec3<f32>;
+    var phi_2321_: f32;
+    var phi_2330_: f32;
+    var phi_2339_: f32;
+    var phi_2348_: f32;
+    var phi_2355_: f32;
+    var phi_2362_: f32;
+    var phi_2375_: f32;
+    var phi_2384_: f32;
+    var phi_2393_: f32;
+    var phi_2402_: f32;
+    var phi_2409_: f32;
+    var phi_2416_: f32;
+    var phi_2433_: f32;
+    var phi_2438_: f32;
+    var phi_2443_: f32;
+    var phi_2451_: f32;
+    var phi_2456_: f32;
+    var phi_2461_: f32;
+    var phi_2473_: f32;
+    var phi_2478_: f32;
+    var phi_2483_: f32;
+    var phi_2488_: f32;
+    var phi_2493_: lt_bvh_triangle_Intersection;
+    var phi_2494_: bool;
+    var phi_2495_: lt_bvh_triangle_Intersection;
+    var phi_2496_: bool;
+    var phi_2500_: lt_bvh_triangle_Intersection;
     var phi_2501_: bool;
-    var phi_2505_: bool;
-    var phi_2509_: lt_bvh_triangle_Intersection;
-    var phi_2529_: bool;
-    var phi_2530_: bool;
-    var phi_2531_: bool;
+    var phi_2502_: lt_bvh_triangle_Intersection;
+    var phi_2503_: bool;
+    var phi_2504_: bool;
+    var phi_2508_: bool;
+    var phi_2512_: lt_bvh_triangle_Intersection;
     var phi_2532_: bool;
     var phi_2533_: bool;
     var phi_2534_: bool;
     var phi_2535_: bool;
-    var phi_1939_: u32;
-    var phi_1942_: bool;
-    var phi_2539_: bool;
+    var phi_2536_: bool;
+    var phi_2537_: bool;
+    var phi_2538_: bool;
+    var phi_1942_: u32;
+    var phi_1945_: bool;
+    var phi_2542_: bool;
     var local_8: bool;
-    var phi_2581_: bool;
-    var phi_2582_: bool;
-    var phi_2613_: u32;
-    var phi_2614_: u32;
-    var phi_1607_: u32;
-    var phi_1610_: bool;
-    var phi_2615_: bool;
-    var phi_2616_: bool;
+    var phi_2584_: bool;
+    var phi_2585_: bool;
+    var phi_2616_: u32;
+    var phi_2617_: u32;
+    var phi_1610_: u32;
+    var phi_1613_: bool;
+    var phi_2618_: bool;
+    var phi_2619_: bool;
     var local_9: bool;
-    var phi_2620_: bool;
-    var phi_2624_: bool;
-    var phi_2625_: bool;
-    var phi_2626_: bool;
+    var phi_2623_: bool;
     var phi_2627_: bool;
-    var phi_2631_: bool;
-    var phi_2635_: bool;
-    var phi_2636_: bool;
-    var phi_2637_: bool;
+    var phi_2628_: bool;
+    var phi_2629_: bool;
+    var phi_2630_: bool;
+    var phi_2634_: bool;
     var phi_2638_: bool;
     var phi_2639_: bool;
     var phi_2640_: bool;
     var phi_2641_: bool;
-    var phi_999_: u32;
-    var phi_1002_: bool;
-    var phi_2645_: bool;
+    var phi_2642_: bool;
+    var phi_2643_: bool;
+    var phi_2644_: bool;
+    var phi_1002_: u32;
+    var phi_1005_: bool;
+    var phi_2648_: bool;
     var local_10: bool;
-    var phi_2687_: bool;
-    var phi_2688_: bool;
-    var phi_2719_: u32;
-    var phi_2720_: u32;
-    var phi_667_: u32;
-    var phi_670_: bool;
-    var phi_2721_: bool;
-    var phi_2722_: bool;
+    var phi_2690_: bool;
+    var phi_2691_: bool;
+    var phi_2722_: u32;
+    var phi_2723_: u32;
+    var phi_670_: u32;
+    var phi_673_: bool;
+    var phi_2724_: bool;
+    var phi_2725_: bool;
     var local_11: bool;
-    var phi_2726_: bool;
-    var phi_2730_: bool;
-    var phi_2731_: bool;
-    var phi_2732_: bool;
-    var phi_2736_: bool;
-    var phi_2737_: bool;
-    var phi_2741_: bool;
-    var phi_2745_: f32;
-    var phi_2766_: u32;
-    var phi_2781_: u32;
-    var phi_2786_: u32;
+    var phi_2729_: bool;
+    var phi_2733_: bool;
+    var phi_2734_: bool;
+    var phi_2735_: bool;
+    var phi_2739_: bool;
+    var phi_2740_: bool;
+    var phi_2744_: bool;
+    var phi_2748_: f32;
+    var phi_2769_: u32;
+    var phi_2784_: u32;
+    var phi_2789_: u32;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
@@ -479,1904 +488,1904 @@ fn function_() {
         } else {
             return;
         }
-        let _e97 = p.member.light;
-        let _e99 = samples.member[(0u + _e90)].position;
-        let _e101 = samples.member[(0u + _e90)].normal;
-        let _e103 = samples.member[(0u + _e90)].magnitude;
-        let _e105 = ((8f / 8388608f) * _e103);
-        let _e113 = (_e99.x + (_e101.x * _e105));
-        let _e115 = (_e99.y + (_e101.y * _e105));
-        let _e117 = (_e99.z + (_e101.z * _e105));
-        if (_e97.w == 0f) {
-            phi_268_ = 300000000000000000000000000000000000000f;
+        let _e98 = samples.member[(0u + _e90)].position;
+        let _e100 = samples.member[(0u + _e90)].normal;
+        let _e102 = samples.member[(0u + _e90)].magnitude;
+        let _e104 = ((8f / 8388608f) * _e102);
+        let _e112 = (_e98.x + (_e100.x * _e104));
+        let _e114 = (_e98.y + (_e100.y * _e104));
+        let _e116 = (_e98.z + (_e100.z * _e104));
+        let _e118 = p.member.light.place;
+        if (_e118.w == 0f) {
+            phi_271_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_268_ = 1f;
+            phi_271_ = 1f;
         }
-        let _e121 = phi_268_;
-        let _e129 = (_e97.x - (_e113 * _e97.w));
-        let _e130 = (_e97.y - (_e115 * _e97.w));
-        let _e131 = (_e97.z - (_e117 * _e97.w));
-        let _e135 = abs(_e129);
+        let _e122 = phi_271_;
+        let _e130 = (_e118.x - (_e112 * _e118.w));
+        let _e131 = (_e118.y - (_e114 * _e118.w));
+        let _e132 = (_e118.z - (_e116 * _e118.w));
         let _e136 = abs(_e130);
         let _e137 = abs(_e131);
-        if (abs(_e113) < 1000000000000000f) {
-            if (abs(_e115) < 1000000000000000f) {
-                if (abs(_e117) < 1000000000000000f) {
-                    if (_e135 < 1000000000000000f) {
-                        if (_e136 < 1000000000000000f) {
-                            if (_e137 < 1000000000000000f) {
-                                if (_e135 > 0f) {
-                                    phi_325_ = bool();
-                                    phi_326_ = true;
+        let _e138 = abs(_e132);
+        if (abs(_e112) < 1000000000000000f) {
+            if (abs(_e114) < 1000000000000000f) {
+                if (abs(_e116) < 1000000000000000f) {
+                    if (_e136 < 1000000000000000f) {
+                        if (_e137 < 1000000000000000f) {
+                            if (_e138 < 1000000000000000f) {
+                                if (_e136 > 0f) {
+                                    phi_328_ = bool();
+                                    phi_329_ = true;
                                 } else {
-                                    let _e145 = (_e136 > 0f);
-                                    if _e145 {
-                                        phi_324_ = bool();
+                                    let _e146 = (_e137 > 0f);
+                                    if _e146 {
+                                        phi_327_ = bool();
                                     } else {
-                                        phi_324_ = (_e137 > 0f);
+                                        phi_327_ = (_e138 > 0f);
                                     }
-                                    let _e148 = phi_324_;
-                                    phi_325_ = _e148;
-                                    phi_326_ = _e145;
+                                    let _e149 = phi_327_;
+                                    phi_328_ = _e149;
+                                    phi_329_ = _e146;
                                 }
-                                let _e150 = phi_325_;
-                                let _e152 = phi_326_;
-                                if _e152 {
-                                    phi_330_ = true;
+                                let _e151 = phi_328_;
+                                let _e153 = phi_329_;
+                                if _e153 {
+                                    phi_333_ = true;
                                 } else {
-                                    phi_330_ = _e150;
+                                    phi_333_ = _e151;
                                 }
-                                let _e154 = phi_330_;
-                                phi_331_ = _e154;
-                                phi_332_ = false;
+                                let _e155 = phi_333_;
+                                phi_334_ = _e155;
+                                phi_335_ = false;
                             } else {
-                                phi_331_ = bool();
-                                phi_332_ = true;
+                                phi_334_ = bool();
+                                phi_335_ = true;
                             }
-                            let _e156 = phi_331_;
-                            let _e158 = phi_332_;
-                            phi_333_ = _e156;
-                            phi_334_ = false;
-                            phi_335_ = _e158;
+                            let _e157 = phi_334_;
+                            let _e159 = phi_335_;
+                            phi_336_ = _e157;
+                            phi_337_ = false;
+                            phi_338_ = _e159;
                         } else {
-                            phi_333_ = bool();
-                            phi_334_ = true;
-                            phi_335_ = false;
+                            phi_336_ = bool();
+                            phi_337_ = true;
+                            phi_338_ = false;
                         }
-                        let _e160 = phi_333_;
-                        let _e162 = phi_334_;
-                        let _e164 = phi_335_;
-                        phi_336_ = _e160;
-                        phi_337_ = _e162;
-                        phi_338_ = _e164;
+                        let _e161 = phi_336_;
+                        let _e163 = phi_337_;
+                        let _e165 = phi_338_;
+                        phi_339_ = _e161;
+                        phi_340_ = _e163;
+                        phi_341_ = _e165;
                     } else {
-                        phi_336_ = bool();
-                        phi_337_ = true;
-                        phi_338_ = false;
+                        phi_339_ = bool();
+                        phi_340_ = true;
+                        phi_341_ = false;
                     }
-                    let _e166 = phi_336_;
-                    let _e168 = phi_337_;
-                    let _e170 = phi_338_;
-                    phi_339_ = _e166;
-                    phi_340_ = _e168;
-                    phi_341_ = _e170;
+                    let _e167 = phi_339_;
+                    let _e169 = phi_340_;
+                    let _e171 = phi_341_;
+                    phi_342_ = _e167;
+                    phi_343_ = _e169;
+                    phi_344_ = _e171;
                 } else {
-                    phi_339_ = bool();
-                    phi_340_ = true;
-                    phi_341_ = false;
+                    phi_342_ = bool();
+                    phi_343_ = true;
+                    phi_344_ = false;
                 }
-                let _e172 = phi_339_;
-                let _e174 = phi_340_;
-                let _e176 = phi_341_;
-                phi_342_ = _e172;
-                phi_343_ = _e174;
-                phi_344_ = _e176;
+                let _e173 = phi_342_;
+                let _e175 = phi_343_;
+                let _e177 = phi_344_;
+                phi_345_ = _e173;
+                phi_346_ = _e175;
+                phi_347_ = _e177;
             } else {
-                phi_342_ = bool();
-                phi_343_ = true;
-                phi_344_ = false;
+                phi_345_ = bool();
+                phi_346_ = true;
+                phi_347_ = false;
             }
-            let _e178 = phi_342_;
-            let _e180 = phi_343_;
-            let _e182 = phi_344_;
-            phi_345_ = _e178;
-            phi_346_ = _e180;
-            phi_347_ = _e182;
+            let _e179 = phi_345_;
+            let _e181 = phi_346_;
+            let _e183 = phi_347_;
+            phi_348_ = _e179;
+            phi_349_ = _e181;
+            phi_350_ = _e183;
         } else {
-            phi_345_ = bool();
-            phi_346_ = true;
-            phi_347_ = false;
+            phi_348_ = bool();
+            phi_349_ = true;
+            phi_350_ = false;
         }
-        let _e184 = phi_345_;
-        let _e186 = phi_346_;
-        let _e188 = phi_347_;
-        if _e186 {
-            phi_351_ = true;
+        let _e185 = phi_348_;
+        let _e187 = phi_349_;
+        let _e189 = phi_350_;
+        if _e187 {
+            phi_354_ = true;
         } else {
-            phi_351_ = _e188;
+            phi_354_ = _e189;
         }
-        let _e190 = phi_351_;
-        if _e190 {
-            phi_355_ = false;
+        let _e191 = phi_354_;
+        if _e191 {
+            phi_358_ = false;
         } else {
-            phi_355_ = _e184;
+            phi_358_ = _e185;
         }
-        let _e192 = phi_355_;
-        if _e192 {
-            let _e193 = (_e92 >= _e62);
-            if _e193 {
-                phi_2730_ = false;
+        let _e193 = phi_358_;
+        if _e193 {
+            let _e194 = (_e92 >= _e62);
+            if _e194 {
+                phi_2733_ = false;
             } else {
                 if (_e92 < _e62) {
                 } else {
                     return;
                 }
-                let _e199 = nodes.member[(0u + _e92)].frame[0u];
-                let _e203 = nodes.member[(0u + _e92)].frame[1u];
-                let _e207 = nodes.member[(0u + _e92)].frame[2u];
-                let _e211 = nodes.member[(0u + _e92)].frame[0u];
-                let _e215 = nodes.member[(0u + _e92)].frame[1u];
-                let _e219 = nodes.member[(0u + _e92)].frame[2u];
-                let _e223 = nodes.member[(0u + _e92)].frame[3u];
-                let _e257 = core_intrinsics_maximum_number_nsz_f32_(abs(_e129), abs(_e130));
-                let _e258 = core_intrinsics_maximum_number_nsz_f32_(_e257, abs(_e131));
-                let _e259 = (_e258 * 0.0000000000009094947f);
-                if (abs(_e129) < _e259) {
-                    phi_425_ = _e259;
+                let _e200 = nodes.member[(0u + _e92)].frame[0u];
+                let _e204 = nodes.member[(0u + _e92)].frame[1u];
+                let _e208 = nodes.member[(0u + _e92)].frame[2u];
+                let _e212 = nodes.member[(0u + _e92)].frame[0u];
+                let _e216 = nodes.member[(0u + _e92)].frame[1u];
+                let _e220 = nodes.member[(0u + _e92)].frame[2u];
+                let _e224 = nodes.member[(0u + _e92)].frame[3u];
+                let _e258 = core_intrinsics_maximum_number_nsz_f32_(abs(_e130), abs(_e131));
+                let _e259 = core_intrinsics_maximum_number_nsz_f32_(_e258, abs(_e132));
+                let _e260 = (_e259 * 0.0000000000009094947f);
+                if (abs(_e130) < _e260) {
+                    phi_428_ = _e260;
                 } else {
-                    phi_425_ = abs(_e129);
+                    phi_428_ = abs(_e130);
                 }
-                let _e264 = phi_425_;
-                if (_e129 < 0f) {
-                    phi_432_ = (-1f / _e264);
-                } else {
-                    phi_432_ = (1f / _e264);
-                }
-                let _e269 = phi_432_;
-                if (abs(_e130) < _e259) {
-                    phi_439_ = _e259;
-                } else {
-                    phi_439_ = abs(_e130);
-                }
-                let _e274 = phi_439_;
+                let _e265 = phi_428_;
                 if (_e130 < 0f) {
-                    phi_446_ = (-1f / _e274);
+                    phi_435_ = (-1f / _e265);
                 } else {
-                    phi_446_ = (1f / _e274);
+                    phi_435_ = (1f / _e265);
                 }
-                let _e279 = phi_446_;
-                if (abs(_e131) < _e259) {
-                    phi_453_ = _e259;
+                let _e270 = phi_435_;
+                if (abs(_e131) < _e260) {
+                    phi_442_ = _e260;
                 } else {
-                    phi_453_ = abs(_e131);
+                    phi_442_ = abs(_e131);
                 }
-                let _e284 = phi_453_;
+                let _e275 = phi_442_;
                 if (_e131 < 0f) {
-                    phi_460_ = (-1f / _e284);
+                    phi_449_ = (-1f / _e275);
                 } else {
-                    phi_460_ = (1f / _e284);
+                    phi_449_ = (1f / _e275);
                 }
-                let _e289 = phi_460_;
-                let _e293 = abs((bitcast<f32>(_e199) - _e113));
-                let _e294 = abs((bitcast<f32>(_e203) - _e115));
-                let _e295 = abs((bitcast<f32>(_e207) - _e117));
-                let _e299 = abs(((bitcast<f32>(_e211) + (bitcast<f32>((((_e223 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e113));
-                let _e300 = abs(((bitcast<f32>(_e215) + (bitcast<f32>((((_e223 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e115));
-                let _e301 = abs(((bitcast<f32>(_e219) + (bitcast<f32>((((_e223 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e117));
-                if (_e293 > _e299) {
-                    phi_477_ = _e293;
+                let _e280 = phi_449_;
+                if (abs(_e132) < _e260) {
+                    phi_456_ = _e260;
                 } else {
-                    phi_477_ = _e299;
+                    phi_456_ = abs(_e132);
                 }
-                let _e304 = phi_477_;
+                let _e285 = phi_456_;
+                if (_e132 < 0f) {
+                    phi_463_ = (-1f / _e285);
+                } else {
+                    phi_463_ = (1f / _e285);
+                }
+                let _e290 = phi_463_;
+                let _e294 = abs((bitcast<f32>(_e200) - _e112));
+                let _e295 = abs((bitcast<f32>(_e204) - _e114));
+                let _e296 = abs((bitcast<f32>(_e208) - _e116));
+                let _e300 = abs(((bitcast<f32>(_e212) + (bitcast<f32>((((_e224 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e112));
+                let _e301 = abs(((bitcast<f32>(_e216) + (bitcast<f32>((((_e224 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e114));
+                let _e302 = abs(((bitcast<f32>(_e220) + (bitcast<f32>((((_e224 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e116));
                 if (_e294 > _e300) {
-                    phi_482_ = _e294;
+                    phi_480_ = _e294;
                 } else {
-                    phi_482_ = _e300;
+                    phi_480_ = _e300;
                 }
-                let _e307 = phi_482_;
+                let _e305 = phi_480_;
                 if (_e295 > _e301) {
-                    phi_487_ = _e295;
+                    phi_485_ = _e295;
                 } else {
-                    phi_487_ = _e301;
+                    phi_485_ = _e301;
                 }
-                let _e310 = phi_487_;
-                let _e311 = core_intrinsics_maximum_number_nsz_f32_(_e304, _e307);
-                let _e312 = core_intrinsics_maximum_number_nsz_f32_(_e311, _e310);
-                let _e316 = (_e312 * 0.0000019073486f);
-                let _e317 = (abs(_e269) * _e316);
-                let _e318 = (abs(_e279) * _e316);
-                let _e319 = (abs(_e289) * _e316);
-                let _e323 = (_e312 * 0.0000009536743f);
-                let _e324 = (abs(_e269) * _e323);
-                let _e325 = (abs(_e279) * _e323);
-                let _e326 = (abs(_e289) * _e323);
-                if (_e269 < 0f) {
-                    phi_508_ = 0u;
+                let _e308 = phi_485_;
+                if (_e296 > _e302) {
+                    phi_490_ = _e296;
                 } else {
-                    phi_508_ = 1u;
+                    phi_490_ = _e302;
                 }
-                let _e329 = phi_508_;
-                if (_e279 < 0f) {
-                    phi_513_ = 0u;
+                let _e311 = phi_490_;
+                let _e312 = core_intrinsics_maximum_number_nsz_f32_(_e305, _e308);
+                let _e313 = core_intrinsics_maximum_number_nsz_f32_(_e312, _e311);
+                let _e317 = (_e313 * 0.0000019073486f);
+                let _e318 = (abs(_e270) * _e317);
+                let _e319 = (abs(_e280) * _e317);
+                let _e320 = (abs(_e290) * _e317);
+                let _e324 = (_e313 * 0.0000009536743f);
+                let _e325 = (abs(_e270) * _e324);
+                let _e326 = (abs(_e280) * _e324);
+                let _e327 = (abs(_e290) * _e324);
+                if (_e270 < 0f) {
+                    phi_511_ = 0u;
                 } else {
-                    phi_513_ = 2u;
+                    phi_511_ = 1u;
                 }
-                let _e332 = phi_513_;
-                if (_e289 < 0f) {
-                    phi_518_ = 0u;
+                let _e330 = phi_511_;
+                if (_e280 < 0f) {
+                    phi_516_ = 0u;
                 } else {
-                    phi_518_ = 4u;
+                    phi_516_ = 2u;
                 }
-                let _e335 = phi_518_;
-                let _e337 = ((_e329 | _e332) | _e335);
-                let _e338 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e92, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e338.first[0], _e338.first[1], _e338.first[2], _e338.first[3], _e338.first[4], _e338.first[5], _e338.first[6], _e338.first[7], _e338.first[8], _e338.first[9], _e338.first[10], _e338.first[11], _e338.first[12], _e338.first[13], _e338.first[14], _e338.first[15], _e338.first[16], _e338.first[17], _e338.first[18], _e338.first[19], _e338.first[20], _e338.first[21], _e338.first[22], _e338.first[23], _e338.first[24], _e338.first[25], _e338.first[26], _e338.first[27], _e338.first[28], _e338.first[29], _e338.first[30], _e338.first[31]), array<u32, 32>(_e338.mask[0], _e338.mask[1], _e338.mask[2], _e338.mask[3], _e338.mask[4], _e338.mask[5], _e338.mask[6], _e338.mask[7], _e338.mask[8], _e338.mask[9], _e338.mask[10], _e338.mask[11], _e338.mask[12], _e338.mask[13], _e338.mask[14], _e338.mask[15], _e338.mask[16], _e338.mask[17], _e338.mask[18], _e338.mask[19], _e338.mask[20], _e338.mask[21], _e338.mask[22], _e338.mask[23], _e338.mask[24], _e338.mask[25], _e338.mask[26], _e338.mask[27], _e338.mask[28], _e338.mask[29], _e338.mask[30], _e338.mask[31]), _e338.len, _e338.group, _e338.group_mask);
-                let _e412 = local_1.group_mask;
-                if ((_e412 & 4278190080u) == 0u) {
-                    let _e416 = local_1.len;
-                    if (_e416 == 0u) {
-                        phi_632_ = false;
+                let _e333 = phi_516_;
+                if (_e290 < 0f) {
+                    phi_521_ = 0u;
+                } else {
+                    phi_521_ = 4u;
+                }
+                let _e336 = phi_521_;
+                let _e338 = ((_e330 | _e333) | _e336);
+                let _e339 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e92, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e339.first[0], _e339.first[1], _e339.first[2], _e339.first[3], _e339.first[4], _e339.first[5], _e339.first[6], _e339.first[7], _e339.first[8], _e339.first[9], _e339.first[10], _e339.first[11], _e339.first[12], _e339.first[13], _e339.first[14], _e339.first[15], _e339.first[16], _e339.first[17], _e339.first[18], _e339.first[19], _e339.first[20], _e339.first[21], _e339.first[22], _e339.first[23], _e339.first[24], _e339.first[25], _e339.first[26], _e339.first[27], _e339.first[28], _e339.first[29], _e339.first[30], _e339.first[31]), array<u32, 32>(_e339.mask[0], _e339.mask[1], _e339.mask[2], _e339.mask[3], _e339.mask[4], _e339.mask[5], _e339.mask[6], _e339.mask[7], _e339.mask[8], _e339.mask[9], _e339.mask[10], _e339.mask[11], _e339.mask[12], _e339.mask[13], _e339.mask[14], _e339.mask[15], _e339.mask[16], _e339.mask[17], _e339.mask[18], _e339.mask[19], _e339.mask[20], _e339.mask[21], _e339.mask[22], _e339.mask[23], _e339.mask[24], _e339.mask[25], _e339.mask[26], _e339.mask[27], _e339.mask[28], _e339.mask[29], _e339.mask[30], _e339.mask[31]), _e339.len, _e339.group, _e339.group_mask);
+                let _e413 = local_1.group_mask;
+                if ((_e413 & 4278190080u) == 0u) {
+                    let _e417 = local_1.len;
+                    if (_e417 == 0u) {
+                        phi_635_ = false;
                     } else {
-                        let _e420 = local_1.len;
-                        local_1.len = (_e420 - 1u);
-                        let _e423 = local_1.len;
-                        if (_e423 < 32u) {
+                        let _e421 = local_1.len;
+                        local_1.len = (_e421 - 1u);
+                        let _e424 = local_1.len;
+                        if (_e424 < 32u) {
                         } else {
                             return;
                         }
-                        let _e428 = local_1.first[(0u + _e423)];
-                        local_1.group = _e428;
-                        let _e431 = local_1.len;
-                        if (_e431 < 32u) {
+                        let _e429 = local_1.first[(0u + _e424)];
+                        local_1.group = _e429;
+                        let _e432 = local_1.len;
+                        if (_e432 < 32u) {
                         } else {
                             return;
                         }
-                        let _e436 = local_1.mask[(0u + _e431)];
-                        local_1.group_mask = _e436;
-                        phi_632_ = true;
+                        let _e437 = local_1.mask[(0u + _e432)];
+                        local_1.group_mask = _e437;
+                        phi_635_ = true;
                     }
-                    let _e439 = phi_632_;
-                    phi_633_ = _e439;
+                    let _e440 = phi_635_;
+                    phi_636_ = _e440;
                 } else {
-                    phi_633_ = true;
+                    phi_636_ = true;
                 }
-                let _e441 = phi_633_;
-                if _e441 {
-                    let _e443 = local_1.group_mask;
-                    let _e449 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e443)), 32u, (_e443 == 0u)));
-                    let _e453 = local_1.group_mask;
-                    let _e467 = local_1.group_mask;
-                    local_1.group_mask = (_e467 & ~((1u << bitcast<u32>((_e449 & 31u)))));
-                    let _e470 = local_1.group;
-                    phi_664_ = (_e470 + countOneBits(((_e453 & ~((4294967295u << bitcast<u32>((((_e449 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e442 = phi_636_;
+                if _e442 {
+                    let _e444 = local_1.group_mask;
+                    let _e450 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e444)), 32u, (_e444 == 0u)));
+                    let _e454 = local_1.group_mask;
+                    let _e468 = local_1.group_mask;
+                    local_1.group_mask = (_e468 & ~((1u << bitcast<u32>((_e450 & 31u)))));
+                    let _e471 = local_1.group;
+                    phi_667_ = (_e471 + countOneBits(((_e454 & ~((4294967295u << bitcast<u32>((((_e450 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_664_ = 4294967295u;
+                    phi_667_ = 4294967295u;
                 }
-                let _e473 = phi_664_;
-                phi_666_ = _e473;
-                phi_669_ = false;
+                let _e474 = phi_667_;
+                phi_669_ = _e474;
+                phi_672_ = false;
                 loop {
-                    let _e475 = phi_666_;
-                    let _e477 = phi_669_;
-                    if (_e475 != 4294967295u) {
-                        if (_e475 < _e62) {
+                    let _e476 = phi_669_;
+                    let _e478 = phi_672_;
+                    if (_e476 != 4294967295u) {
+                        if (_e476 < _e62) {
                         } else {
                             return;
                         }
-                        let _e484 = nodes.member[(0u + _e475)].frame[3u];
-                        let _e509 = (bitcast<f32>((((_e484 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e269);
-                        let _e510 = (bitcast<f32>((((_e484 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e279);
-                        let _e511 = (bitcast<f32>((((_e484 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e289);
-                        let _e514 = nodes.member[(0u + _e475)].frame[0u];
-                        let _e518 = nodes.member[(0u + _e475)].frame[1u];
-                        let _e522 = nodes.member[(0u + _e475)].frame[2u];
-                        let _e527 = ((bitcast<f32>(_e514) - _e113) * _e269);
-                        let _e528 = ((bitcast<f32>(_e518) - _e115) * _e279);
-                        let _e529 = ((bitcast<f32>(_e522) - _e117) * _e289);
-                        let _e537 = nodes.member[(0u + _e475)].x;
-                        if (_e269 < 0f) {
-                            let _e548 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e537.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e554 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e548.unnamed.root, _e537.w), _e548.unnamed_1);
-                            let _e560 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e554.unnamed, lt_bvh_traverse_Tree(_e537.x, _e554.unnamed_1.first_primitive));
-                            phi_749_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e560.unnamed, lt_bvh_traverse_Tree(_e560.unnamed_1.root, _e537.y));
+                        let _e485 = nodes.member[(0u + _e476)].frame[3u];
+                        let _e510 = (bitcast<f32>((((_e485 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e270);
+                        let _e511 = (bitcast<f32>((((_e485 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e280);
+                        let _e512 = (bitcast<f32>((((_e485 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e290);
+                        let _e515 = nodes.member[(0u + _e476)].frame[0u];
+                        let _e519 = nodes.member[(0u + _e476)].frame[1u];
+                        let _e523 = nodes.member[(0u + _e476)].frame[2u];
+                        let _e528 = ((bitcast<f32>(_e515) - _e112) * _e270);
+                        let _e529 = ((bitcast<f32>(_e519) - _e114) * _e280);
+                        let _e530 = ((bitcast<f32>(_e523) - _e116) * _e290);
+                        let _e538 = nodes.member[(0u + _e476)].x;
+                        if (_e270 < 0f) {
+                            let _e549 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e538.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e555 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e549.unnamed.root, _e538.w), _e549.unnamed_1);
+                            let _e561 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e555.unnamed, lt_bvh_traverse_Tree(_e538.x, _e555.unnamed_1.first_primitive));
+                            phi_752_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e561.unnamed, lt_bvh_traverse_Tree(_e561.unnamed_1.root, _e538.y));
                         } else {
-                            let _e576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e537.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e576.unnamed.root, _e537.y), _e576.unnamed_1);
-                            let _e588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e582.unnamed, lt_bvh_traverse_Tree(_e537.z, _e582.unnamed_1.first_primitive));
-                            phi_749_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e588.unnamed, lt_bvh_traverse_Tree(_e588.unnamed_1.root, _e537.w));
+                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e538.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e577.unnamed.root, _e538.y), _e577.unnamed_1);
+                            let _e589 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e583.unnamed, lt_bvh_traverse_Tree(_e538.z, _e583.unnamed_1.first_primitive));
+                            phi_752_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e589.unnamed, lt_bvh_traverse_Tree(_e589.unnamed_1.root, _e538.w));
                         }
-                        let _e596 = phi_749_;
-                        let _e606 = nodes.member[(0u + _e475)].y;
-                        if (_e279 < 0f) {
-                            let _e617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e606.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e617.unnamed.root, _e606.w), _e617.unnamed_1);
-                            let _e629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e623.unnamed, lt_bvh_traverse_Tree(_e606.x, _e623.unnamed_1.first_primitive));
-                            phi_776_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e629.unnamed, lt_bvh_traverse_Tree(_e629.unnamed_1.root, _e606.y));
+                        let _e597 = phi_752_;
+                        let _e607 = nodes.member[(0u + _e476)].y;
+                        if (_e280 < 0f) {
+                            let _e618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e607.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e618.unnamed.root, _e607.w), _e618.unnamed_1);
+                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e624.unnamed, lt_bvh_traverse_Tree(_e607.x, _e624.unnamed_1.first_primitive));
+                            phi_779_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_bvh_traverse_Tree(_e630.unnamed_1.root, _e607.y));
                         } else {
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e606.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e645.unnamed.root, _e606.y), _e645.unnamed_1);
-                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_bvh_traverse_Tree(_e606.z, _e651.unnamed_1.first_primitive));
-                            phi_776_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e657.unnamed, lt_bvh_traverse_Tree(_e657.unnamed_1.root, _e606.w));
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e607.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.unnamed.root, _e607.y), _e646.unnamed_1);
+                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e607.z, _e652.unnamed_1.first_primitive));
+                            phi_779_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_bvh_traverse_Tree(_e658.unnamed_1.root, _e607.w));
                         }
-                        let _e665 = phi_776_;
-                        let _e675 = nodes.member[(0u + _e475)].z;
-                        if (_e289 < 0f) {
-                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e675.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e686.unnamed.root, _e675.w), _e686.unnamed_1);
-                            let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_bvh_traverse_Tree(_e675.x, _e692.unnamed_1.first_primitive));
-                            phi_803_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e698.unnamed, lt_bvh_traverse_Tree(_e698.unnamed_1.root, _e675.y));
+                        let _e666 = phi_779_;
+                        let _e676 = nodes.member[(0u + _e476)].z;
+                        if (_e290 < 0f) {
+                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e676.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e687.unnamed.root, _e676.w), _e687.unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_bvh_traverse_Tree(_e676.x, _e693.unnamed_1.first_primitive));
+                            phi_806_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_bvh_traverse_Tree(_e699.unnamed_1.root, _e676.y));
                         } else {
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e675.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e714.unnamed.root, _e675.y), _e714.unnamed_1);
-                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_bvh_traverse_Tree(_e675.z, _e720.unnamed_1.first_primitive));
-                            phi_803_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_bvh_traverse_Tree(_e726.unnamed_1.root, _e675.w));
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e676.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.unnamed.root, _e676.y), _e715.unnamed_1);
+                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e676.z, _e721.unnamed_1.first_primitive));
+                            phi_806_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_bvh_traverse_Tree(_e727.unnamed_1.root, _e676.w));
                         }
-                        let _e734 = phi_803_;
-                        phi_809_ = 0u;
+                        let _e735 = phi_806_;
                         phi_812_ = 0u;
+                        phi_815_ = 0u;
                         loop {
-                            let _e744 = phi_809_;
-                            let _e746 = phi_812_;
-                            local_2 = _e746;
-                            local_3 = _e746;
-                            local_4 = _e746;
-                            let _e747 = (_e744 < 8u);
-                            if _e747 {
-                                let _e749 = (_e744 >> bitcast<u32>(2i));
-                                let _e750 = (_e744 & 3u);
-                                if (_e749 == 0u) {
-                                    phi_826_ = _e596.unnamed.root;
+                            let _e745 = phi_812_;
+                            let _e747 = phi_815_;
+                            local_2 = _e747;
+                            local_3 = _e747;
+                            local_4 = _e747;
+                            let _e748 = (_e745 < 8u);
+                            if _e748 {
+                                let _e750 = (_e745 >> bitcast<u32>(2i));
+                                let _e751 = (_e745 & 3u);
+                                if (_e750 == 0u) {
+                                    phi_829_ = _e597.unnamed.root;
                                 } else {
-                                    phi_826_ = _e596.unnamed.first_primitive;
+                                    phi_829_ = _e597.unnamed.first_primitive;
                                 }
-                                let _e753 = phi_826_;
-                                if (_e749 == 0u) {
-                                    phi_836_ = _e665.unnamed.root;
+                                let _e754 = phi_829_;
+                                if (_e750 == 0u) {
+                                    phi_839_ = _e666.unnamed.root;
                                 } else {
-                                    phi_836_ = _e665.unnamed.first_primitive;
+                                    phi_839_ = _e666.unnamed.first_primitive;
                                 }
-                                let _e762 = phi_836_;
-                                if (_e749 == 0u) {
-                                    phi_846_ = _e734.unnamed.root;
+                                let _e763 = phi_839_;
+                                if (_e750 == 0u) {
+                                    phi_849_ = _e735.unnamed.root;
                                 } else {
-                                    phi_846_ = _e734.unnamed.first_primitive;
+                                    phi_849_ = _e735.unnamed.first_primitive;
                                 }
-                                let _e771 = phi_846_;
-                                let _e784 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e753 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e509) + (_e527 - _e317)), ((f32(((_e762 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e510) + (_e528 - _e318)));
-                                let _e785 = core_intrinsics_maximum_number_nsz_f32_(_e784, ((f32(((_e771 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e511) + (_e529 - _e319)));
-                                if (_e749 == 0u) {
-                                    phi_864_ = _e596.unnamed_1.root;
+                                let _e772 = phi_849_;
+                                let _e785 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e754 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e510) + (_e528 - _e318)), ((f32(((_e763 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e511) + (_e529 - _e319)));
+                                let _e786 = core_intrinsics_maximum_number_nsz_f32_(_e785, ((f32(((_e772 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e512) + (_e530 - _e320)));
+                                if (_e750 == 0u) {
+                                    phi_867_ = _e597.unnamed_1.root;
                                 } else {
-                                    phi_864_ = _e596.unnamed_1.first_primitive;
+                                    phi_867_ = _e597.unnamed_1.first_primitive;
                                 }
-                                let _e788 = phi_864_;
-                                if (_e749 == 0u) {
-                                    phi_874_ = _e665.unnamed_1.root;
+                                let _e789 = phi_867_;
+                                if (_e750 == 0u) {
+                                    phi_877_ = _e666.unnamed_1.root;
                                 } else {
-                                    phi_874_ = _e665.unnamed_1.first_primitive;
+                                    phi_877_ = _e666.unnamed_1.first_primitive;
                                 }
-                                let _e797 = phi_874_;
-                                if (_e749 == 0u) {
-                                    phi_884_ = _e734.unnamed_1.root;
+                                let _e798 = phi_877_;
+                                if (_e750 == 0u) {
+                                    phi_887_ = _e735.unnamed_1.root;
                                 } else {
-                                    phi_884_ = _e734.unnamed_1.first_primitive;
+                                    phi_887_ = _e735.unnamed_1.first_primitive;
                                 }
-                                let _e806 = phi_884_;
-                                let _e819 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e788 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e509) + (_e527 + _e317)), ((f32(((_e797 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e510) + (_e528 + _e318)));
-                                let _e820 = core_intrinsics_minimum_number_nsz_f32_(_e819, ((f32(((_e806 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e511) + (_e529 + _e319)));
-                                if (_e785 <= _e820) {
-                                    if (_e785 <= _e121) {
-                                        if (_e820 >= 0f) {
-                                            if (_e749 == 0u) {
-                                                let _e827 = nodes.member[(0u + _e475)].links[2u];
-                                                phi_920_ = _e827;
+                                let _e807 = phi_887_;
+                                let _e820 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e789 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e510) + (_e528 + _e318)), ((f32(((_e798 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e511) + (_e529 + _e319)));
+                                let _e821 = core_intrinsics_minimum_number_nsz_f32_(_e820, ((f32(((_e807 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e512) + (_e530 + _e320)));
+                                if (_e786 <= _e821) {
+                                    if (_e786 <= _e122) {
+                                        if (_e821 >= 0f) {
+                                            if (_e750 == 0u) {
+                                                let _e828 = nodes.member[(0u + _e476)].links[2u];
+                                                phi_923_ = _e828;
                                             } else {
-                                                let _e830 = nodes.member[(0u + _e475)].links[3u];
-                                                phi_920_ = _e830;
+                                                let _e831 = nodes.member[(0u + _e476)].links[3u];
+                                                phi_923_ = _e831;
                                             }
-                                            let _e832 = phi_920_;
-                                            let _e837 = ((_e832 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u);
-                                            let _e838 = (_e837 & 31u);
-                                            if (_e838 >= 24u) {
-                                                phi_933_ = (24u + ((_e838 - 24u) ^ _e337));
+                                            let _e833 = phi_923_;
+                                            let _e838 = ((_e833 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u);
+                                            let _e839 = (_e838 & 31u);
+                                            if (_e839 >= 24u) {
+                                                phi_936_ = (24u + ((_e839 - 24u) ^ _e338));
                                             } else {
-                                                phi_933_ = _e838;
+                                                phi_936_ = _e839;
                                             }
-                                            let _e844 = phi_933_;
-                                            phi_938_ = (_e746 | ((_e837 >> bitcast<u32>(5i)) << bitcast<u32>((_e844 & 31u))));
+                                            let _e845 = phi_936_;
+                                            phi_941_ = (_e747 | ((_e838 >> bitcast<u32>(5i)) << bitcast<u32>((_e845 & 31u))));
                                         } else {
-                                            phi_938_ = _e746;
+                                            phi_941_ = _e747;
                                         }
-                                        let _e852 = phi_938_;
-                                        phi_939_ = _e852;
+                                        let _e853 = phi_941_;
+                                        phi_942_ = _e853;
                                     } else {
-                                        phi_939_ = _e746;
+                                        phi_942_ = _e747;
                                     }
-                                    let _e854 = phi_939_;
-                                    phi_940_ = _e854;
+                                    let _e855 = phi_942_;
+                                    phi_943_ = _e855;
                                 } else {
-                                    phi_940_ = _e746;
+                                    phi_943_ = _e747;
                                 }
-                                let _e856 = phi_940_;
-                                phi_810_ = (_e744 + 1u);
-                                phi_813_ = _e856;
+                                let _e857 = phi_943_;
+                                phi_813_ = (_e745 + 1u);
+                                phi_816_ = _e857;
                             } else {
-                                phi_810_ = u32();
                                 phi_813_ = u32();
+                                phi_816_ = u32();
                             }
-                            let _e859 = phi_810_;
-                            let _e861 = phi_813_;
+                            let _e860 = phi_813_;
+                            let _e862 = phi_816_;
                             continue;
                             continuing {
-                                phi_809_ = _e859;
-                                phi_812_ = _e861;
-                                break if !(_e747);
+                                phi_812_ = _e860;
+                                phi_815_ = _e862;
+                                break if !(_e748);
                             }
                         }
-                        let _e865 = nodes.member[(0u + _e475)].links[0u];
-                        let _e869 = nodes.member[(0u + _e475)].frame[3u];
-                        let _e873 = local_2;
-                        if ((_e873 & 4278190080u) == 0u) {
+                        let _e866 = nodes.member[(0u + _e476)].links[0u];
+                        let _e870 = nodes.member[(0u + _e476)].frame[3u];
+                        let _e874 = local_2;
+                        if ((_e874 & 4278190080u) == 0u) {
                         } else {
-                            let _e877 = local_1.group_mask;
-                            if ((_e877 & 4278190080u) == 0u) {
+                            let _e878 = local_1.group_mask;
+                            if ((_e878 & 4278190080u) == 0u) {
                             } else {
-                                let _e881 = local_1.len;
-                                if (_e881 < 32u) {
-                                    let _e884 = local_1.group;
-                                    let _e886 = local_1.len;
-                                    if (_e886 < 32u) {
+                                let _e882 = local_1.len;
+                                if (_e882 < 32u) {
+                                    let _e885 = local_1.group;
+                                    let _e887 = local_1.len;
+                                    if (_e887 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e886)] = _e884;
-                                    let _e892 = local_1.group_mask;
-                                    let _e894 = local_1.len;
-                                    if (_e894 < 32u) {
+                                    local_1.first[(0u + _e887)] = _e885;
+                                    let _e893 = local_1.group_mask;
+                                    let _e895 = local_1.len;
+                                    if (_e895 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e894)] = _e892;
-                                    let _e901 = local_1.len;
-                                    local_1.len = (_e901 + 1u);
+                                    local_1.mask[(0u + _e895)] = _e893;
+                                    let _e902 = local_1.len;
+                                    local_1.len = (_e902 + 1u);
                                 }
                             }
-                            local_1.group = (_e92 + _e865);
-                            let _e905 = local_3;
-                            local_1.group_mask = ((_e905 & 4278190080u) | (_e869 >> bitcast<u32>(24i)));
+                            local_1.group = (_e92 + _e866);
+                            let _e906 = local_3;
+                            local_1.group_mask = ((_e906 & 4278190080u) | (_e870 >> bitcast<u32>(24i)));
                         }
-                        let _e910 = local_4;
-                        phi_998_ = (_e910 & 16777215u);
-                        phi_1001_ = _e477;
+                        let _e911 = local_4;
+                        phi_1001_ = (_e911 & 16777215u);
+                        phi_1004_ = _e478;
                         loop {
-                            let _e913 = phi_998_;
-                            let _e915 = phi_1001_;
-                            local_15 = _e915;
-                            let _e916 = (_e913 == 0u);
-                            local_10 = _e916;
-                            local_16 = _e916;
-                            if _e916 {
-                                phi_999_ = u32();
-                                phi_1002_ = bool();
-                                phi_2645_ = false;
+                            let _e914 = phi_1001_;
+                            let _e916 = phi_1004_;
+                            local_15 = _e916;
+                            let _e917 = (_e914 == 0u);
+                            local_10 = _e917;
+                            local_16 = _e917;
+                            if _e917 {
+                                phi_1002_ = u32();
+                                phi_1005_ = bool();
+                                phi_2648_ = false;
                             } else {
-                                let _e919 = nodes.member[(0u + _e475)].links[1u];
-                                let _e923 = (_e919 + select(firstTrailingBit(_e913), 32u, (_e913 == 0u)));
-                                if (_e923 < arrayLength((&instances.member))) {
+                                let _e920 = nodes.member[(0u + _e476)].links[1u];
+                                let _e924 = (_e920 + select(firstTrailingBit(_e914), 32u, (_e914 == 0u)));
+                                if (_e924 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e930 = instances.member[(0u + _e923)].low_world;
-                                let _e932 = instances.member[(0u + _e923)].high_world;
-                                let _e939 = ((_e930.x - _e113) * _e269);
-                                let _e940 = ((_e930.y - _e115) * _e279);
-                                let _e941 = ((_e930.z - _e117) * _e289);
-                                let _e948 = ((_e932.x - _e113) * _e269);
-                                let _e949 = ((_e932.y - _e115) * _e279);
-                                let _e950 = ((_e932.z - _e117) * _e289);
-                                if (_e939 < _e948) {
-                                    phi_1050_ = _e939;
-                                } else {
-                                    phi_1050_ = _e948;
-                                }
-                                let _e953 = phi_1050_;
+                                let _e931 = instances.member[(0u + _e924)].low_world;
+                                let _e933 = instances.member[(0u + _e924)].high_world;
+                                let _e940 = ((_e931.x - _e112) * _e270);
+                                let _e941 = ((_e931.y - _e114) * _e280);
+                                let _e942 = ((_e931.z - _e116) * _e290);
+                                let _e949 = ((_e933.x - _e112) * _e270);
+                                let _e950 = ((_e933.y - _e114) * _e280);
+                                let _e951 = ((_e933.z - _e116) * _e290);
                                 if (_e940 < _e949) {
-                                    phi_1055_ = _e940;
+                                    phi_1053_ = _e940;
                                 } else {
-                                    phi_1055_ = _e949;
+                                    phi_1053_ = _e949;
                                 }
-                                let _e956 = phi_1055_;
+                                let _e954 = phi_1053_;
                                 if (_e941 < _e950) {
-                                    phi_1060_ = _e941;
+                                    phi_1058_ = _e941;
                                 } else {
-                                    phi_1060_ = _e950;
+                                    phi_1058_ = _e950;
                                 }
-                                let _e959 = phi_1060_;
-                                if (_e939 > _e948) {
-                                    phi_1068_ = _e939;
+                                let _e957 = phi_1058_;
+                                if (_e942 < _e951) {
+                                    phi_1063_ = _e942;
                                 } else {
-                                    phi_1068_ = _e948;
+                                    phi_1063_ = _e951;
                                 }
-                                let _e965 = phi_1068_;
+                                let _e960 = phi_1063_;
                                 if (_e940 > _e949) {
-                                    phi_1073_ = _e940;
+                                    phi_1071_ = _e940;
                                 } else {
-                                    phi_1073_ = _e949;
+                                    phi_1071_ = _e949;
                                 }
-                                let _e968 = phi_1073_;
+                                let _e966 = phi_1071_;
                                 if (_e941 > _e950) {
-                                    phi_1078_ = _e941;
+                                    phi_1076_ = _e941;
                                 } else {
-                                    phi_1078_ = _e950;
+                                    phi_1076_ = _e950;
                                 }
-                                let _e971 = phi_1078_;
-                                let _e975 = core_intrinsics_maximum_number_nsz_f32_((_e953 - _e324), (_e956 - _e325));
-                                let _e976 = core_intrinsics_maximum_number_nsz_f32_(_e975, (_e959 - _e326));
-                                let _e977 = core_intrinsics_minimum_number_nsz_f32_((_e965 + _e324), (_e968 + _e325));
-                                let _e978 = core_intrinsics_minimum_number_nsz_f32_(_e977, (_e971 + _e326));
-                                if (_e976 <= _e978) {
-                                    if (_e976 <= _e121) {
-                                        if (_e978 >= 0f) {
-                                            let _e984 = instances.member[(0u + _e923)].world_to_object[0u];
-                                            let _e995 = ((((_e984.x * _e113) + (_e984.y * _e115)) + (_e984.z * _e117)) + (_e984.w * 1f));
-                                            let _e997 = instances.member[(0u + _e923)].world_to_object[1u];
-                                            let _e1008 = ((((_e997.x * _e113) + (_e997.y * _e115)) + (_e997.z * _e117)) + (_e997.w * 1f));
-                                            let _e1010 = instances.member[(0u + _e923)].world_to_object[2u];
-                                            let _e1021 = ((((_e1010.x * _e113) + (_e1010.y * _e115)) + (_e1010.z * _e117)) + (_e1010.w * 1f));
-                                            let _e1024 = instances.member[(0u + _e923)].world_to_object[0u];
-                                            let _e1035 = ((((_e1024.x * _e129) + (_e1024.y * _e130)) + (_e1024.z * _e131)) + (_e1024.w * 0f));
-                                            let _e1037 = instances.member[(0u + _e923)].world_to_object[1u];
-                                            let _e1048 = ((((_e1037.x * _e129) + (_e1037.y * _e130)) + (_e1037.z * _e131)) + (_e1037.w * 0f));
-                                            let _e1050 = instances.member[(0u + _e923)].world_to_object[2u];
-                                            let _e1061 = ((((_e1050.x * _e129) + (_e1050.y * _e130)) + (_e1050.z * _e131)) + (_e1050.w * 0f));
-                                            let _e1064 = instances.member[(0u + _e923)].root;
-                                            let _e1066 = instances.member[(0u + _e923)].first_triangle;
-                                            let _e1070 = abs(_e1035);
-                                            let _e1071 = abs(_e1048);
-                                            let _e1072 = abs(_e1061);
-                                            if (abs(_e995) < 1000000000000000f) {
-                                                if (abs(_e1008) < 1000000000000000f) {
-                                                    if (abs(_e1021) < 1000000000000000f) {
-                                                        if (_e1070 < 1000000000000000f) {
-                                                            if (_e1071 < 1000000000000000f) {
-                                                                if (_e1072 < 1000000000000000f) {
-                                                                    if (_e1070 > 0f) {
-                                                                        phi_1223_ = bool();
-                                                                        phi_1224_ = true;
+                                let _e969 = phi_1076_;
+                                if (_e942 > _e951) {
+                                    phi_1081_ = _e942;
+                                } else {
+                                    phi_1081_ = _e951;
+                                }
+                                let _e972 = phi_1081_;
+                                let _e976 = core_intrinsics_maximum_number_nsz_f32_((_e954 - _e325), (_e957 - _e326));
+                                let _e977 = core_intrinsics_maximum_number_nsz_f32_(_e976, (_e960 - _e327));
+                                let _e978 = core_intrinsics_minimum_number_nsz_f32_((_e966 + _e325), (_e969 + _e326));
+                                let _e979 = core_intrinsics_minimum_number_nsz_f32_(_e978, (_e972 + _e327));
+                                if (_e977 <= _e979) {
+                                    if (_e977 <= _e122) {
+                                        if (_e979 >= 0f) {
+                                            let _e985 = instances.member[(0u + _e924)].world_to_object[0u];
+                                            let _e996 = ((((_e985.x * _e112) + (_e985.y * _e114)) + (_e985.z * _e116)) + (_e985.w * 1f));
+                                            let _e998 = instances.member[(0u + _e924)].world_to_object[1u];
+                                            let _e1009 = ((((_e998.x * _e112) + (_e998.y * _e114)) + (_e998.z * _e116)) + (_e998.w * 1f));
+                                            let _e1011 = instances.member[(0u + _e924)].world_to_object[2u];
+                                            let _e1022 = ((((_e1011.x * _e112) + (_e1011.y * _e114)) + (_e1011.z * _e116)) + (_e1011.w * 1f));
+                                            let _e1025 = instances.member[(0u + _e924)].world_to_object[0u];
+                                            let _e1036 = ((((_e1025.x * _e130) + (_e1025.y * _e131)) + (_e1025.z * _e132)) + (_e1025.w * 0f));
+                                            let _e1038 = instances.member[(0u + _e924)].world_to_object[1u];
+                                            let _e1049 = ((((_e1038.x * _e130) + (_e1038.y * _e131)) + (_e1038.z * _e132)) + (_e1038.w * 0f));
+                                            let _e1051 = instances.member[(0u + _e924)].world_to_object[2u];
+                                            let _e1062 = ((((_e1051.x * _e130) + (_e1051.y * _e131)) + (_e1051.z * _e132)) + (_e1051.w * 0f));
+                                            let _e1065 = instances.member[(0u + _e924)].root;
+                                            let _e1067 = instances.member[(0u + _e924)].first_triangle;
+                                            let _e1071 = abs(_e1036);
+                                            let _e1072 = abs(_e1049);
+                                            let _e1073 = abs(_e1062);
+                                            if (abs(_e996) < 1000000000000000f) {
+                                                if (abs(_e1009) < 1000000000000000f) {
+                                                    if (abs(_e1022) < 1000000000000000f) {
+                                                        if (_e1071 < 1000000000000000f) {
+                                                            if (_e1072 < 1000000000000000f) {
+                                                                if (_e1073 < 1000000000000000f) {
+                                                                    if (_e1071 > 0f) {
+                                                                        phi_1226_ = bool();
+                                                                        phi_1227_ = true;
                                                                     } else {
-                                                                        let _e1080 = (_e1071 > 0f);
-                                                                        if _e1080 {
-                                                                            phi_1222_ = bool();
+                                                                        let _e1081 = (_e1072 > 0f);
+                                                                        if _e1081 {
+                                                                            phi_1225_ = bool();
                                                                         } else {
-                                                                            phi_1222_ = (_e1072 > 0f);
+                                                                            phi_1225_ = (_e1073 > 0f);
                                                                         }
-                                                                        let _e1083 = phi_1222_;
-                                                                        phi_1223_ = _e1083;
-                                                                        phi_1224_ = _e1080;
+                                                                        let _e1084 = phi_1225_;
+                                                                        phi_1226_ = _e1084;
+                                                                        phi_1227_ = _e1081;
                                                                     }
-                                                                    let _e1085 = phi_1223_;
-                                                                    let _e1087 = phi_1224_;
-                                                                    if _e1087 {
-                                                                        phi_1228_ = true;
+                                                                    let _e1086 = phi_1226_;
+                                                                    let _e1088 = phi_1227_;
+                                                                    if _e1088 {
+                                                                        phi_1231_ = true;
                                                                     } else {
-                                                                        phi_1228_ = _e1085;
+                                                                        phi_1231_ = _e1086;
                                                                     }
-                                                                    let _e1089 = phi_1228_;
-                                                                    phi_1229_ = _e1089;
-                                                                    phi_1230_ = false;
+                                                                    let _e1090 = phi_1231_;
+                                                                    phi_1232_ = _e1090;
+                                                                    phi_1233_ = false;
                                                                 } else {
-                                                                    phi_1229_ = bool();
-                                                                    phi_1230_ = true;
+                                                                    phi_1232_ = bool();
+                                                                    phi_1233_ = true;
                                                                 }
-                                                                let _e1091 = phi_1229_;
-                                                                let _e1093 = phi_1230_;
-                                                                phi_1231_ = _e1091;
-                                                                phi_1232_ = false;
-                                                                phi_1233_ = _e1093;
+                                                                let _e1092 = phi_1232_;
+                                                                let _e1094 = phi_1233_;
+                                                                phi_1234_ = _e1092;
+                                                                phi_1235_ = false;
+                                                                phi_1236_ = _e1094;
                                                             } else {
-                                                                phi_1231_ = bool();
-                                                                phi_1232_ = true;
-                                                                phi_1233_ = false;
+                                                                phi_1234_ = bool();
+                                                                phi_1235_ = true;
+                                                                phi_1236_ = false;
                                                             }
-                                                            let _e1095 = phi_1231_;
-                                                            let _e1097 = phi_1232_;
-                                                            let _e1099 = phi_1233_;
-                                                            phi_1234_ = _e1095;
-                                                            phi_1235_ = _e1097;
-                                                            phi_1236_ = _e1099;
+                                                            let _e1096 = phi_1234_;
+                                                            let _e1098 = phi_1235_;
+                                                            let _e1100 = phi_1236_;
+                                                            phi_1237_ = _e1096;
+                                                            phi_1238_ = _e1098;
+                                                            phi_1239_ = _e1100;
                                                         } else {
-                                                            phi_1234_ = bool();
-                                                            phi_1235_ = true;
-                                                            phi_1236_ = false;
+                                                            phi_1237_ = bool();
+                                                            phi_1238_ = true;
+                                                            phi_1239_ = false;
                                                         }
-                                                        let _e1101 = phi_1234_;
-                                                        let _e1103 = phi_1235_;
-                                                        let _e1105 = phi_1236_;
-                                                        phi_1237_ = _e1101;
-                                                        phi_1238_ = _e1103;
-                                                        phi_1239_ = _e1105;
+                                                        let _e1102 = phi_1237_;
+                                                        let _e1104 = phi_1238_;
+                                                        let _e1106 = phi_1239_;
+                                                        phi_1240_ = _e1102;
+                                                        phi_1241_ = _e1104;
+                                                        phi_1242_ = _e1106;
                                                     } else {
-                                                        phi_1237_ = bool();
-                                                        phi_1238_ = true;
-                                                        phi_1239_ = false;
+                                                        phi_1240_ = bool();
+                                                        phi_1241_ = true;
+                                                        phi_1242_ = false;
                                                     }
-                                                    let _e1107 = phi_1237_;
-                                                    let _e1109 = phi_1238_;
-                                                    let _e1111 = phi_1239_;
-                                                    phi_1240_ = _e1107;
-                                                    phi_1241_ = _e1109;
-                                                    phi_1242_ = _e1111;
+                                                    let _e1108 = phi_1240_;
+                                                    let _e1110 = phi_1241_;
+                                                    let _e1112 = phi_1242_;
+                                                    phi_1243_ = _e1108;
+                                                    phi_1244_ = _e1110;
+                                                    phi_1245_ = _e1112;
                                                 } else {
-                                                    phi_1240_ = bool();
-                                                    phi_1241_ = true;
-                                                    phi_1242_ = false;
+                                                    phi_1243_ = bool();
+                                                    phi_1244_ = true;
+                                                    phi_1245_ = false;
                                                 }
-                                                let _e1113 = phi_1240_;
-                                                let _e1115 = phi_1241_;
-                                                let _e1117 = phi_1242_;
-                                                phi_1243_ = _e1113;
-                                                phi_1244_ = _e1115;
-                                                phi_1245_ = _e1117;
+                                                let _e1114 = phi_1243_;
+                                                let _e1116 = phi_1244_;
+                                                let _e1118 = phi_1245_;
+                                                phi_1246_ = _e1114;
+                                                phi_1247_ = _e1116;
+                                                phi_1248_ = _e1118;
                                             } else {
-                                                phi_1243_ = bool();
-                                                phi_1244_ = true;
-                                                phi_1245_ = false;
+                                                phi_1246_ = bool();
+                                                phi_1247_ = true;
+                                                phi_1248_ = false;
                                             }
-                                            let _e1119 = phi_1243_;
-                                            let _e1121 = phi_1244_;
-                                            let _e1123 = phi_1245_;
-                                            if _e1121 {
-                                                phi_1249_ = true;
+                                            let _e1120 = phi_1246_;
+                                            let _e1122 = phi_1247_;
+                                            let _e1124 = phi_1248_;
+                                            if _e1122 {
+                                                phi_1252_ = true;
                                             } else {
-                                                phi_1249_ = _e1123;
+                                                phi_1252_ = _e1124;
                                             }
-                                            let _e1125 = phi_1249_;
-                                            if _e1125 {
-                                                phi_1253_ = false;
+                                            let _e1126 = phi_1252_;
+                                            if _e1126 {
+                                                phi_1256_ = false;
                                             } else {
-                                                phi_1253_ = _e1119;
+                                                phi_1256_ = _e1120;
                                             }
-                                            let _e1127 = phi_1253_;
-                                            if _e1127 {
-                                                let _e1128 = (_e1064 >= _e62);
-                                                if _e1128 {
-                                                    phi_2625_ = bool();
+                                            let _e1128 = phi_1256_;
+                                            if _e1128 {
+                                                let _e1129 = (_e1065 >= _e62);
+                                                if _e1129 {
+                                                    phi_2628_ = bool();
                                                 } else {
-                                                    if (_e1064 < _e62) {
+                                                    if (_e1065 < _e62) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1134 = nodes.member[(0u + _e1064)].frame[0u];
-                                                    let _e1138 = nodes.member[(0u + _e1064)].frame[1u];
-                                                    let _e1142 = nodes.member[(0u + _e1064)].frame[2u];
-                                                    let _e1146 = nodes.member[(0u + _e1064)].frame[0u];
-                                                    let _e1150 = nodes.member[(0u + _e1064)].frame[1u];
-                                                    let _e1154 = nodes.member[(0u + _e1064)].frame[2u];
-                                                    let _e1158 = nodes.member[(0u + _e1064)].frame[3u];
-                                                    let _e1192 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1035), abs(_e1048));
-                                                    let _e1193 = core_intrinsics_maximum_number_nsz_f32_(_e1192, abs(_e1061));
-                                                    let _e1194 = (_e1193 * 0.0000000000009094947f);
-                                                    if (abs(_e1035) < _e1194) {
-                                                        phi_1323_ = _e1194;
+                                                    let _e1135 = nodes.member[(0u + _e1065)].frame[0u];
+                                                    let _e1139 = nodes.member[(0u + _e1065)].frame[1u];
+                                                    let _e1143 = nodes.member[(0u + _e1065)].frame[2u];
+                                                    let _e1147 = nodes.member[(0u + _e1065)].frame[0u];
+                                                    let _e1151 = nodes.member[(0u + _e1065)].frame[1u];
+                                                    let _e1155 = nodes.member[(0u + _e1065)].frame[2u];
+                                                    let _e1159 = nodes.member[(0u + _e1065)].frame[3u];
+                                                    let _e1193 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1036), abs(_e1049));
+                                                    let _e1194 = core_intrinsics_maximum_number_nsz_f32_(_e1193, abs(_e1062));
+                                                    let _e1195 = (_e1194 * 0.0000000000009094947f);
+                                                    if (abs(_e1036) < _e1195) {
+                                                        phi_1326_ = _e1195;
                                                     } else {
-                                                        phi_1323_ = abs(_e1035);
+                                                        phi_1326_ = abs(_e1036);
                                                     }
-                                                    let _e1199 = phi_1323_;
-                                                    if (_e1035 < 0f) {
-                                                        phi_1330_ = (-1f / _e1199);
+                                                    let _e1200 = phi_1326_;
+                                                    if (_e1036 < 0f) {
+                                                        phi_1333_ = (-1f / _e1200);
                                                     } else {
-                                                        phi_1330_ = (1f / _e1199);
+                                                        phi_1333_ = (1f / _e1200);
                                                     }
-                                                    let _e1204 = phi_1330_;
-                                                    if (abs(_e1048) < _e1194) {
-                                                        phi_1337_ = _e1194;
+                                                    let _e1205 = phi_1333_;
+                                                    if (abs(_e1049) < _e1195) {
+                                                        phi_1340_ = _e1195;
                                                     } else {
-                                                        phi_1337_ = abs(_e1048);
+                                                        phi_1340_ = abs(_e1049);
                                                     }
-                                                    let _e1209 = phi_1337_;
-                                                    if (_e1048 < 0f) {
-                                                        phi_1344_ = (-1f / _e1209);
+                                                    let _e1210 = phi_1340_;
+                                                    if (_e1049 < 0f) {
+                                                        phi_1347_ = (-1f / _e1210);
                                                     } else {
-                                                        phi_1344_ = (1f / _e1209);
+                                                        phi_1347_ = (1f / _e1210);
                                                     }
-                                                    let _e1214 = phi_1344_;
-                                                    if (abs(_e1061) < _e1194) {
-                                                        phi_1351_ = _e1194;
+                                                    let _e1215 = phi_1347_;
+                                                    if (abs(_e1062) < _e1195) {
+                                                        phi_1354_ = _e1195;
                                                     } else {
-                                                        phi_1351_ = abs(_e1061);
+                                                        phi_1354_ = abs(_e1062);
                                                     }
-                                                    let _e1219 = phi_1351_;
-                                                    if (_e1061 < 0f) {
-                                                        phi_1358_ = (-1f / _e1219);
+                                                    let _e1220 = phi_1354_;
+                                                    if (_e1062 < 0f) {
+                                                        phi_1361_ = (-1f / _e1220);
                                                     } else {
-                                                        phi_1358_ = (1f / _e1219);
+                                                        phi_1361_ = (1f / _e1220);
                                                     }
-                                                    let _e1224 = phi_1358_;
-                                                    let _e1228 = abs((bitcast<f32>(_e1134) - _e995));
-                                                    let _e1229 = abs((bitcast<f32>(_e1138) - _e1008));
-                                                    let _e1230 = abs((bitcast<f32>(_e1142) - _e1021));
-                                                    let _e1234 = abs(((bitcast<f32>(_e1146) + (bitcast<f32>((((_e1158 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e995));
-                                                    let _e1235 = abs(((bitcast<f32>(_e1150) + (bitcast<f32>((((_e1158 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1008));
-                                                    let _e1236 = abs(((bitcast<f32>(_e1154) + (bitcast<f32>((((_e1158 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1021));
-                                                    if (_e1228 > _e1234) {
-                                                        phi_1375_ = _e1228;
-                                                    } else {
-                                                        phi_1375_ = _e1234;
-                                                    }
-                                                    let _e1239 = phi_1375_;
+                                                    let _e1225 = phi_1361_;
+                                                    let _e1229 = abs((bitcast<f32>(_e1135) - _e996));
+                                                    let _e1230 = abs((bitcast<f32>(_e1139) - _e1009));
+                                                    let _e1231 = abs((bitcast<f32>(_e1143) - _e1022));
+                                                    let _e1235 = abs(((bitcast<f32>(_e1147) + (bitcast<f32>((((_e1159 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e996));
+                                                    let _e1236 = abs(((bitcast<f32>(_e1151) + (bitcast<f32>((((_e1159 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1009));
+                                                    let _e1237 = abs(((bitcast<f32>(_e1155) + (bitcast<f32>((((_e1159 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1022));
                                                     if (_e1229 > _e1235) {
-                                                        phi_1380_ = _e1229;
+                                                        phi_1378_ = _e1229;
                                                     } else {
-                                                        phi_1380_ = _e1235;
+                                                        phi_1378_ = _e1235;
                                                     }
-                                                    let _e1242 = phi_1380_;
+                                                    let _e1240 = phi_1378_;
                                                     if (_e1230 > _e1236) {
-                                                        phi_1385_ = _e1230;
+                                                        phi_1383_ = _e1230;
                                                     } else {
-                                                        phi_1385_ = _e1236;
+                                                        phi_1383_ = _e1236;
                                                     }
-                                                    let _e1245 = phi_1385_;
-                                                    let _e1246 = core_intrinsics_maximum_number_nsz_f32_(_e1239, _e1242);
-                                                    let _e1247 = core_intrinsics_maximum_number_nsz_f32_(_e1246, _e1245);
-                                                    let _e1251 = (_e1247 * 0.0000019073486f);
-                                                    let _e1252 = (abs(_e1204) * _e1251);
-                                                    let _e1253 = (abs(_e1214) * _e1251);
-                                                    let _e1254 = (abs(_e1224) * _e1251);
-                                                    let _e1258 = (_e1247 * 0.0000009536743f);
-                                                    let _e1259 = (abs(_e1204) * _e1258);
-                                                    let _e1260 = (abs(_e1214) * _e1258);
-                                                    let _e1261 = (abs(_e1224) * _e1258);
-                                                    let _e1262 = abs(_e1035);
-                                                    let _e1263 = abs(_e1048);
-                                                    let _e1264 = abs(_e1061);
-                                                    if (_e1262 >= _e1263) {
-                                                        if (_e1262 >= _e1264) {
-                                                            phi_1413_ = false;
+                                                    let _e1243 = phi_1383_;
+                                                    if (_e1231 > _e1237) {
+                                                        phi_1388_ = _e1231;
+                                                    } else {
+                                                        phi_1388_ = _e1237;
+                                                    }
+                                                    let _e1246 = phi_1388_;
+                                                    let _e1247 = core_intrinsics_maximum_number_nsz_f32_(_e1240, _e1243);
+                                                    let _e1248 = core_intrinsics_maximum_number_nsz_f32_(_e1247, _e1246);
+                                                    let _e1252 = (_e1248 * 0.0000019073486f);
+                                                    let _e1253 = (abs(_e1205) * _e1252);
+                                                    let _e1254 = (abs(_e1215) * _e1252);
+                                                    let _e1255 = (abs(_e1225) * _e1252);
+                                                    let _e1259 = (_e1248 * 0.0000009536743f);
+                                                    let _e1260 = (abs(_e1205) * _e1259);
+                                                    let _e1261 = (abs(_e1215) * _e1259);
+                                                    let _e1262 = (abs(_e1225) * _e1259);
+                                                    let _e1263 = abs(_e1036);
+                                                    let _e1264 = abs(_e1049);
+                                                    let _e1265 = abs(_e1062);
+                                                    if (_e1263 >= _e1264) {
+                                                        if (_e1263 >= _e1265) {
+                                                            phi_1416_ = false;
                                                         } else {
-                                                            phi_1413_ = true;
+                                                            phi_1416_ = true;
                                                         }
-                                                        let _e1268 = phi_1413_;
-                                                        phi_1414_ = _e1268;
+                                                        let _e1269 = phi_1416_;
+                                                        phi_1417_ = _e1269;
                                                     } else {
-                                                        phi_1414_ = true;
+                                                        phi_1417_ = true;
                                                     }
-                                                    let _e1270 = phi_1414_;
-                                                    if _e1270 {
-                                                        if (_e1263 >= _e1264) {
-                                                            phi_1422_ = 1u;
+                                                    let _e1271 = phi_1417_;
+                                                    if _e1271 {
+                                                        if (_e1264 >= _e1265) {
+                                                            phi_1425_ = 1u;
                                                         } else {
-                                                            phi_1422_ = 2u;
+                                                            phi_1425_ = 2u;
                                                         }
-                                                        let _e1273 = phi_1422_;
-                                                        phi_1423_ = _e1273;
+                                                        let _e1274 = phi_1425_;
+                                                        phi_1426_ = _e1274;
                                                     } else {
-                                                        phi_1423_ = 0u;
+                                                        phi_1426_ = 0u;
                                                     }
-                                                    let _e1275 = phi_1423_;
-                                                    if (_e1275 == 0u) {
-                                                        phi_1435_ = vec3<f32>(_e1048, _e1061, _e1035);
+                                                    let _e1276 = phi_1426_;
+                                                    if (_e1276 == 0u) {
+                                                        phi_1438_ = vec3<f32>(_e1049, _e1062, _e1036);
                                                     } else {
-                                                        if (_e1275 == 1u) {
-                                                            phi_1434_ = vec3<f32>(_e1061, _e1035, _e1048);
+                                                        if (_e1276 == 1u) {
+                                                            phi_1437_ = vec3<f32>(_e1062, _e1036, _e1049);
                                                         } else {
-                                                            phi_1434_ = vec3<f32>(_e1035, _e1048, _e1061);
+                                                            phi_1437_ = vec3<f32>(_e1036, _e1049, _e1062);
                                                         }
-                                                        let _e1281 = phi_1434_;
-                                                        phi_1435_ = _e1281;
+                                                        let _e1282 = phi_1437_;
+                                                        phi_1438_ = _e1282;
                                                     }
-                                                    let _e1283 = phi_1435_;
-                                                    let _e1286 = (_e1283.x / _e1283.z);
-                                                    let _e1289 = (_e1283.y / _e1283.z);
-                                                    if (_e1204 < 0f) {
-                                                        phi_1448_ = 0u;
+                                                    let _e1284 = phi_1438_;
+                                                    let _e1287 = (_e1284.x / _e1284.z);
+                                                    let _e1290 = (_e1284.y / _e1284.z);
+                                                    if (_e1205 < 0f) {
+                                                        phi_1451_ = 0u;
                                                     } else {
-                                                        phi_1448_ = 1u;
+                                                        phi_1451_ = 1u;
                                                     }
-                                                    let _e1294 = phi_1448_;
-                                                    if (_e1214 < 0f) {
-                                                        phi_1453_ = 0u;
+                                                    let _e1295 = phi_1451_;
+                                                    if (_e1215 < 0f) {
+                                                        phi_1456_ = 0u;
                                                     } else {
-                                                        phi_1453_ = 2u;
+                                                        phi_1456_ = 2u;
                                                     }
-                                                    let _e1297 = phi_1453_;
-                                                    if (_e1224 < 0f) {
-                                                        phi_1458_ = 0u;
+                                                    let _e1298 = phi_1456_;
+                                                    if (_e1225 < 0f) {
+                                                        phi_1461_ = 0u;
                                                     } else {
-                                                        phi_1458_ = 4u;
+                                                        phi_1461_ = 4u;
                                                     }
-                                                    let _e1300 = phi_1458_;
-                                                    let _e1302 = ((_e1294 | _e1297) | _e1300);
-                                                    let _e1303 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1064, 2147483648u);
-                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1303.first[0], _e1303.first[1], _e1303.first[2], _e1303.first[3], _e1303.first[4], _e1303.first[5], _e1303.first[6], _e1303.first[7], _e1303.first[8], _e1303.first[9], _e1303.first[10], _e1303.first[11], _e1303.first[12], _e1303.first[13], _e1303.first[14], _e1303.first[15], _e1303.first[16], _e1303.first[17], _e1303.first[18], _e1303.first[19], _e1303.first[20], _e1303.first[21], _e1303.first[22], _e1303.first[23], _e1303.first[24], _e1303.first[25], _e1303.first[26], _e1303.first[27], _e1303.first[28], _e1303.first[29], _e1303.first[30], _e1303.first[31]), array<u32, 32>(_e1303.mask[0], _e1303.mask[1], _e1303.mask[2], _e1303.mask[3], _e1303.mask[4], _e1303.mask[5], _e1303.mask[6], _e1303.mask[7], _e1303.mask[8], _e1303.mask[9], _e1303.mask[10], _e1303.mask[11], _e1303.mask[12], _e1303.mask[13], _e1303.mask[14], _e1303.mask[15], _e1303.mask[16], _e1303.mask[17], _e1303.mask[18], _e1303.mask[19], _e1303.mask[20], _e1303.mask[21], _e1303.mask[22], _e1303.mask[23], _e1303.mask[24], _e1303.mask[25], _e1303.mask[26], _e1303.mask[27], _e1303.mask[28], _e1303.mask[29], _e1303.mask[30], _e1303.mask[31]), _e1303.len, _e1303.group, _e1303.group_mask);
-                                                    let _e1377 = local.group_mask;
-                                                    if ((_e1377 & 4278190080u) == 0u) {
-                                                        let _e1381 = local.len;
-                                                        if (_e1381 == 0u) {
-                                                            phi_1572_ = false;
+                                                    let _e1301 = phi_1461_;
+                                                    let _e1303 = ((_e1295 | _e1298) | _e1301);
+                                                    let _e1304 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1065, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1304.first[0], _e1304.first[1], _e1304.first[2], _e1304.first[3], _e1304.first[4], _e1304.first[5], _e1304.first[6], _e1304.first[7], _e1304.first[8], _e1304.first[9], _e1304.first[10], _e1304.first[11], _e1304.first[12], _e1304.first[13], _e1304.first[14], _e1304.first[15], _e1304.first[16], _e1304.first[17], _e1304.first[18], _e1304.first[19], _e1304.first[20], _e1304.first[21], _e1304.first[22], _e1304.first[23], _e1304.first[24], _e1304.first[25], _e1304.first[26], _e1304.first[27], _e1304.first[28], _e1304.first[29], _e1304.first[30], _e1304.first[31]), array<u32, 32>(_e1304.mask[0], _e1304.mask[1], _e1304.mask[2], _e1304.mask[3], _e1304.mask[4], _e1304.mask[5], _e1304.mask[6], _e1304.mask[7], _e1304.mask[8], _e1304.mask[9], _e1304.mask[10], _e1304.mask[11], _e1304.mask[12], _e1304.mask[13], _e1304.mask[14], _e1304.mask[15], _e1304.mask[16], _e1304.mask[17], _e1304.mask[18], _e1304.mask[19], _e1304.mask[20], _e1304.mask[21], _e1304.mask[22], _e1304.mask[23], _e1304.mask[24], _e1304.mask[25], _e1304.mask[26], _e1304.mask[27], _e1304.mask[28], _e1304.mask[29], _e1304.mask[30], _e1304.mask[31]), _e1304.len, _e1304.group, _e1304.group_mask);
+                                                    let _e1378 = local.group_mask;
+                                                    if ((_e1378 & 4278190080u) == 0u) {
+                                                        let _e1382 = local.len;
+                                                        if (_e1382 == 0u) {
+                                                            phi_1575_ = false;
                                                         } else {
-                                                            let _e1385 = local.len;
-                                                            local.len = (_e1385 - 1u);
-                                                            let _e1388 = local.len;
-                                                            if (_e1388 < 32u) {
+                                                            let _e1386 = local.len;
+                                                            local.len = (_e1386 - 1u);
+                                                            let _e1389 = local.len;
+                                                            if (_e1389 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1393 = local.first[(0u + _e1388)];
-                                                            local.group = _e1393;
-                                                            let _e1396 = local.len;
-                                                            if (_e1396 < 32u) {
+                                                            let _e1394 = local.first[(0u + _e1389)];
+                                                            local.group = _e1394;
+                                                            let _e1397 = local.len;
+                                                            if (_e1397 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1401 = local.mask[(0u + _e1396)];
-                                                            local.group_mask = _e1401;
-                                                            phi_1572_ = true;
+                                                            let _e1402 = local.mask[(0u + _e1397)];
+                                                            local.group_mask = _e1402;
+                                                            phi_1575_ = true;
                                                         }
-                                                        let _e1404 = phi_1572_;
-                                                        phi_1573_ = _e1404;
+                                                        let _e1405 = phi_1575_;
+                                                        phi_1576_ = _e1405;
                                                     } else {
-                                                        phi_1573_ = true;
+                                                        phi_1576_ = true;
                                                     }
-                                                    let _e1406 = phi_1573_;
-                                                    if _e1406 {
-                                                        let _e1408 = local.group_mask;
-                                                        let _e1414 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1408)), 32u, (_e1408 == 0u)));
-                                                        let _e1418 = local.group_mask;
-                                                        let _e1432 = local.group_mask;
-                                                        local.group_mask = (_e1432 & ~((1u << bitcast<u32>((_e1414 & 31u)))));
-                                                        let _e1435 = local.group;
-                                                        phi_1604_ = (_e1435 + countOneBits(((_e1418 & ~((4294967295u << bitcast<u32>((((_e1414 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1407 = phi_1576_;
+                                                    if _e1407 {
+                                                        let _e1409 = local.group_mask;
+                                                        let _e1415 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1409)), 32u, (_e1409 == 0u)));
+                                                        let _e1419 = local.group_mask;
+                                                        let _e1433 = local.group_mask;
+                                                        local.group_mask = (_e1433 & ~((1u << bitcast<u32>((_e1415 & 31u)))));
+                                                        let _e1436 = local.group;
+                                                        phi_1607_ = (_e1436 + countOneBits(((_e1419 & ~((4294967295u << bitcast<u32>((((_e1415 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1604_ = 4294967295u;
+                                                        phi_1607_ = 4294967295u;
                                                     }
-                                                    let _e1438 = phi_1604_;
-                                                    phi_1606_ = _e1438;
-                                                    phi_1609_ = _e915;
+                                                    let _e1439 = phi_1607_;
+                                                    phi_1609_ = _e1439;
+                                                    phi_1612_ = _e916;
                                                     loop {
-                                                        let _e1440 = phi_1606_;
-                                                        let _e1442 = phi_1609_;
-                                                        local_14 = _e1442;
-                                                        if (_e1440 != 4294967295u) {
-                                                            if (_e1440 < _e62) {
+                                                        let _e1441 = phi_1609_;
+                                                        let _e1443 = phi_1612_;
+                                                        local_14 = _e1443;
+                                                        if (_e1441 != 4294967295u) {
+                                                            if (_e1441 < _e62) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1449 = nodes.member[(0u + _e1440)].frame[3u];
-                                                            let _e1474 = (bitcast<f32>((((_e1449 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1204);
-                                                            let _e1475 = (bitcast<f32>((((_e1449 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1214);
-                                                            let _e1476 = (bitcast<f32>((((_e1449 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1224);
-                                                            let _e1479 = nodes.member[(0u + _e1440)].frame[0u];
-                                                            let _e1483 = nodes.member[(0u + _e1440)].frame[1u];
-                                                            let _e1487 = nodes.member[(0u + _e1440)].frame[2u];
-                                                            let _e1492 = ((bitcast<f32>(_e1479) - _e995) * _e1204);
-                                                            let _e1493 = ((bitcast<f32>(_e1483) - _e1008) * _e1214);
-                                                            let _e1494 = ((bitcast<f32>(_e1487) - _e1021) * _e1224);
-                                                            let _e1502 = nodes.member[(0u + _e1440)].x;
-                                                            if (_e1204 < 0f) {
-                                                                let _e1513 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1502.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1519 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1513.unnamed.root, _e1502.w), _e1513.unnamed_1);
-                                                                let _e1525 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1519.unnamed, lt_bvh_traverse_Tree(_e1502.x, _e1519.unnamed_1.first_primitive));
-                                                                phi_1689_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1525.unnamed, lt_bvh_traverse_Tree(_e1525.unnamed_1.root, _e1502.y));
+                                                            let _e1450 = nodes.member[(0u + _e1441)].frame[3u];
+                                                            let _e1475 = (bitcast<f32>((((_e1450 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1205);
+                                                            let _e1476 = (bitcast<f32>((((_e1450 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1215);
+                                                            let _e1477 = (bitcast<f32>((((_e1450 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1225);
+                                                            let _e1480 = nodes.member[(0u + _e1441)].frame[0u];
+                                                            let _e1484 = nodes.member[(0u + _e1441)].frame[1u];
+                                                            let _e1488 = nodes.member[(0u + _e1441)].frame[2u];
+                                                            let _e1493 = ((bitcast<f32>(_e1480) - _e996) * _e1205);
+                                                            let _e1494 = ((bitcast<f32>(_e1484) - _e1009) * _e1215);
+                                                            let _e1495 = ((bitcast<f32>(_e1488) - _e1022) * _e1225);
+                                                            let _e1503 = nodes.member[(0u + _e1441)].x;
+                                                            if (_e1205 < 0f) {
+                                                                let _e1514 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1503.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1520 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1514.unnamed.root, _e1503.w), _e1514.unnamed_1);
+                                                                let _e1526 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1520.unnamed, lt_bvh_traverse_Tree(_e1503.x, _e1520.unnamed_1.first_primitive));
+                                                                phi_1692_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1526.unnamed, lt_bvh_traverse_Tree(_e1526.unnamed_1.root, _e1503.y));
                                                             } else {
-                                                                let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1502.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1547 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1541.unnamed.root, _e1502.y), _e1541.unnamed_1);
-                                                                let _e1553 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1547.unnamed, lt_bvh_traverse_Tree(_e1502.z, _e1547.unnamed_1.first_primitive));
-                                                                phi_1689_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1553.unnamed, lt_bvh_traverse_Tree(_e1553.unnamed_1.root, _e1502.w));
+                                                                let _e1542 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1503.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1548 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1542.unnamed.root, _e1503.y), _e1542.unnamed_1);
+                                                                let _e1554 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1548.unnamed, lt_bvh_traverse_Tree(_e1503.z, _e1548.unnamed_1.first_primitive));
+                                                                phi_1692_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1554.unnamed, lt_bvh_traverse_Tree(_e1554.unnamed_1.root, _e1503.w));
                                                             }
-                                                            let _e1561 = phi_1689_;
-                                                            let _e1571 = nodes.member[(0u + _e1440)].y;
-                                                            if (_e1214 < 0f) {
-                                                                let _e1582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1571.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1582.unnamed.root, _e1571.w), _e1582.unnamed_1);
-                                                                let _e1594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1588.unnamed, lt_bvh_traverse_Tree(_e1571.x, _e1588.unnamed_1.first_primitive));
-                                                                phi_1716_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1594.unnamed, lt_bvh_traverse_Tree(_e1594.unnamed_1.root, _e1571.y));
+                                                            let _e1562 = phi_1692_;
+                                                            let _e1572 = nodes.member[(0u + _e1441)].y;
+                                                            if (_e1215 < 0f) {
+                                                                let _e1583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1572.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1589 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1583.unnamed.root, _e1572.w), _e1583.unnamed_1);
+                                                                let _e1595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1589.unnamed, lt_bvh_traverse_Tree(_e1572.x, _e1589.unnamed_1.first_primitive));
+                                                                phi_1719_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1595.unnamed, lt_bvh_traverse_Tree(_e1595.unnamed_1.root, _e1572.y));
                                                             } else {
-                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1571.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1610.unnamed.root, _e1571.y), _e1610.unnamed_1);
-                                                                let _e1622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1616.unnamed, lt_bvh_traverse_Tree(_e1571.z, _e1616.unnamed_1.first_primitive));
-                                                                phi_1716_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1622.unnamed, lt_bvh_traverse_Tree(_e1622.unnamed_1.root, _e1571.w));
+                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1572.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1611.unnamed.root, _e1572.y), _e1611.unnamed_1);
+                                                                let _e1623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_bvh_traverse_Tree(_e1572.z, _e1617.unnamed_1.first_primitive));
+                                                                phi_1719_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1623.unnamed, lt_bvh_traverse_Tree(_e1623.unnamed_1.root, _e1572.w));
                                                             }
-                                                            let _e1630 = phi_1716_;
-                                                            let _e1640 = nodes.member[(0u + _e1440)].z;
-                                                            if (_e1224 < 0f) {
-                                                                let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1640.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1651.unnamed.root, _e1640.w), _e1651.unnamed_1);
-                                                                let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1657.unnamed, lt_bvh_traverse_Tree(_e1640.x, _e1657.unnamed_1.first_primitive));
-                                                                phi_1743_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1663.unnamed, lt_bvh_traverse_Tree(_e1663.unnamed_1.root, _e1640.y));
+                                                            let _e1631 = phi_1719_;
+                                                            let _e1641 = nodes.member[(0u + _e1441)].z;
+                                                            if (_e1225 < 0f) {
+                                                                let _e1652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1641.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1652.unnamed.root, _e1641.w), _e1652.unnamed_1);
+                                                                let _e1664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1658.unnamed, lt_bvh_traverse_Tree(_e1641.x, _e1658.unnamed_1.first_primitive));
+                                                                phi_1746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1664.unnamed, lt_bvh_traverse_Tree(_e1664.unnamed_1.root, _e1641.y));
                                                             } else {
-                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1640.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1679.unnamed.root, _e1640.y), _e1679.unnamed_1);
-                                                                let _e1691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1685.unnamed, lt_bvh_traverse_Tree(_e1640.z, _e1685.unnamed_1.first_primitive));
-                                                                phi_1743_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1691.unnamed, lt_bvh_traverse_Tree(_e1691.unnamed_1.root, _e1640.w));
+                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1641.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1680.unnamed.root, _e1641.y), _e1680.unnamed_1);
+                                                                let _e1692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_bvh_traverse_Tree(_e1641.z, _e1686.unnamed_1.first_primitive));
+                                                                phi_1746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1692.unnamed, lt_bvh_traverse_Tree(_e1692.unnamed_1.root, _e1641.w));
                                                             }
-                                                            let _e1699 = phi_1743_;
-                                                            phi_1749_ = 0u;
+                                                            let _e1700 = phi_1746_;
                                                             phi_1752_ = 0u;
+                                                            phi_1755_ = 0u;
                                                             loop {
-                                                                let _e1709 = phi_1749_;
-                                                                let _e1711 = phi_1752_;
-                                                                local_5 = _e1711;
-                                                                local_6 = _e1711;
-                                                                local_7 = _e1711;
-                                                                let _e1712 = (_e1709 < 8u);
-                                                                if _e1712 {
-                                                                    let _e1714 = (_e1709 >> bitcast<u32>(2i));
-                                                                    let _e1715 = (_e1709 & 3u);
-                                                                    if (_e1714 == 0u) {
-                                                                        phi_1766_ = _e1561.unnamed.root;
+                                                                let _e1710 = phi_1752_;
+                                                                let _e1712 = phi_1755_;
+                                                                local_5 = _e1712;
+                                                                local_6 = _e1712;
+                                                                local_7 = _e1712;
+                                                                let _e1713 = (_e1710 < 8u);
+                                                                if _e1713 {
+                                                                    let _e1715 = (_e1710 >> bitcast<u32>(2i));
+                                                                    let _e1716 = (_e1710 & 3u);
+                                                                    if (_e1715 == 0u) {
+                                                                        phi_1769_ = _e1562.unnamed.root;
                                                                     } else {
-                                                                        phi_1766_ = _e1561.unnamed.first_primitive;
+                                                                        phi_1769_ = _e1562.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1718 = phi_1766_;
-                                                                    if (_e1714 == 0u) {
-                                                                        phi_1776_ = _e1630.unnamed.root;
+                                                                    let _e1719 = phi_1769_;
+                                                                    if (_e1715 == 0u) {
+                                                                        phi_1779_ = _e1631.unnamed.root;
                                                                     } else {
-                                                                        phi_1776_ = _e1630.unnamed.first_primitive;
+                                                                        phi_1779_ = _e1631.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1727 = phi_1776_;
-                                                                    if (_e1714 == 0u) {
-                                                                        phi_1786_ = _e1699.unnamed.root;
+                                                                    let _e1728 = phi_1779_;
+                                                                    if (_e1715 == 0u) {
+                                                                        phi_1789_ = _e1700.unnamed.root;
                                                                     } else {
-                                                                        phi_1786_ = _e1699.unnamed.first_primitive;
+                                                                        phi_1789_ = _e1700.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1736 = phi_1786_;
-                                                                    let _e1749 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1718 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1474) + (_e1492 - _e1252)), ((f32(((_e1727 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1475) + (_e1493 - _e1253)));
-                                                                    let _e1750 = core_intrinsics_maximum_number_nsz_f32_(_e1749, ((f32(((_e1736 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1476) + (_e1494 - _e1254)));
-                                                                    if (_e1714 == 0u) {
-                                                                        phi_1804_ = _e1561.unnamed_1.root;
+                                                                    let _e1737 = phi_1789_;
+                                                                    let _e1750 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1719 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1475) + (_e1493 - _e1253)), ((f32(((_e1728 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1476) + (_e1494 - _e1254)));
+                                                                    let _e1751 = core_intrinsics_maximum_number_nsz_f32_(_e1750, ((f32(((_e1737 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1477) + (_e1495 - _e1255)));
+                                                                    if (_e1715 == 0u) {
+                                                                        phi_1807_ = _e1562.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1804_ = _e1561.unnamed_1.first_primitive;
+                                                                        phi_1807_ = _e1562.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1753 = phi_1804_;
-                                                                    if (_e1714 == 0u) {
-                                                                        phi_1814_ = _e1630.unnamed_1.root;
+                                                                    let _e1754 = phi_1807_;
+                                                                    if (_e1715 == 0u) {
+                                                                        phi_1817_ = _e1631.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1814_ = _e1630.unnamed_1.first_primitive;
+                                                                        phi_1817_ = _e1631.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1762 = phi_1814_;
-                                                                    if (_e1714 == 0u) {
-                                                                        phi_1824_ = _e1699.unnamed_1.root;
+                                                                    let _e1763 = phi_1817_;
+                                                                    if (_e1715 == 0u) {
+                                                                        phi_1827_ = _e1700.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1824_ = _e1699.unnamed_1.first_primitive;
+                                                                        phi_1827_ = _e1700.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1771 = phi_1824_;
-                                                                    let _e1784 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1753 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1474) + (_e1492 + _e1252)), ((f32(((_e1762 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1475) + (_e1493 + _e1253)));
-                                                                    let _e1785 = core_intrinsics_minimum_number_nsz_f32_(_e1784, ((f32(((_e1771 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1476) + (_e1494 + _e1254)));
-                                                                    if (_e1750 <= _e1785) {
-                                                                        if (_e1750 <= _e121) {
-                                                                            if (_e1785 >= 0f) {
-                                                                                if (_e1714 == 0u) {
-                                                                                    let _e1792 = nodes.member[(0u + _e1440)].links[2u];
-                                                                                    phi_1860_ = _e1792;
+                                                                    let _e1772 = phi_1827_;
+                                                                    let _e1785 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1754 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1475) + (_e1493 + _e1253)), ((f32(((_e1763 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1476) + (_e1494 + _e1254)));
+                                                                    let _e1786 = core_intrinsics_minimum_number_nsz_f32_(_e1785, ((f32(((_e1772 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1477) + (_e1495 + _e1255)));
+                                                                    if (_e1751 <= _e1786) {
+                                                                        if (_e1751 <= _e122) {
+                                                                            if (_e1786 >= 0f) {
+                                                                                if (_e1715 == 0u) {
+                                                                                    let _e1793 = nodes.member[(0u + _e1441)].links[2u];
+                                                                                    phi_1863_ = _e1793;
                                                                                 } else {
-                                                                                    let _e1795 = nodes.member[(0u + _e1440)].links[3u];
-                                                                                    phi_1860_ = _e1795;
+                                                                                    let _e1796 = nodes.member[(0u + _e1441)].links[3u];
+                                                                                    phi_1863_ = _e1796;
                                                                                 }
-                                                                                let _e1797 = phi_1860_;
-                                                                                let _e1802 = ((_e1797 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u);
-                                                                                let _e1803 = (_e1802 & 31u);
-                                                                                if (_e1803 >= 24u) {
-                                                                                    phi_1873_ = (24u + ((_e1803 - 24u) ^ _e1302));
+                                                                                let _e1798 = phi_1863_;
+                                                                                let _e1803 = ((_e1798 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u);
+                                                                                let _e1804 = (_e1803 & 31u);
+                                                                                if (_e1804 >= 24u) {
+                                                                                    phi_1876_ = (24u + ((_e1804 - 24u) ^ _e1303));
                                                                                 } else {
-                                                                                    phi_1873_ = _e1803;
+                                                                                    phi_1876_ = _e1804;
                                                                                 }
-                                                                                let _e1809 = phi_1873_;
-                                                                                phi_1878_ = (_e1711 | ((_e1802 >> bitcast<u32>(5i)) << bitcast<u32>((_e1809 & 31u))));
+                                                                                let _e1810 = phi_1876_;
+                                                                                phi_1881_ = (_e1712 | ((_e1803 >> bitcast<u32>(5i)) << bitcast<u32>((_e1810 & 31u))));
                                                                             } else {
-                                                                                phi_1878_ = _e1711;
+                                                                                phi_1881_ = _e1712;
                                                                             }
-                                                                            let _e1817 = phi_1878_;
-                                                                            phi_1879_ = _e1817;
+                                                                            let _e1818 = phi_1881_;
+                                                                            phi_1882_ = _e1818;
                                                                         } else {
-                                                                            phi_1879_ = _e1711;
+                                                                            phi_1882_ = _e1712;
                                                                         }
-                                                                        let _e1819 = phi_1879_;
-                                                                        phi_1880_ = _e1819;
+                                                                        let _e1820 = phi_1882_;
+                                                                        phi_1883_ = _e1820;
                                                                     } else {
-                                                                        phi_1880_ = _e1711;
+                                                                        phi_1883_ = _e1712;
                                                                     }
-                                                                    let _e1821 = phi_1880_;
-                                                                    phi_1750_ = (_e1709 + 1u);
-                                                                    phi_1753_ = _e1821;
+                                                                    let _e1822 = phi_1883_;
+                                                                    phi_1753_ = (_e1710 + 1u);
+                                                                    phi_1756_ = _e1822;
                                                                 } else {
-                                                                    phi_1750_ = u32();
                                                                     phi_1753_ = u32();
+                                                                    phi_1756_ = u32();
                                                                 }
-                                                                let _e1824 = phi_1750_;
-                                                                let _e1826 = phi_1753_;
+                                                                let _e1825 = phi_1753_;
+                                                                let _e1827 = phi_1756_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1749_ = _e1824;
-                                                                    phi_1752_ = _e1826;
-                                                                    break if !(_e1712);
+                                                                    phi_1752_ = _e1825;
+                                                                    phi_1755_ = _e1827;
+                                                                    break if !(_e1713);
                                                                 }
                                                             }
-                                                            let _e1830 = nodes.member[(0u + _e1440)].links[0u];
-                                                            let _e1834 = nodes.member[(0u + _e1440)].frame[3u];
-                                                            let _e1838 = local_5;
-                                                            if ((_e1838 & 4278190080u) == 0u) {
+                                                            let _e1831 = nodes.member[(0u + _e1441)].links[0u];
+                                                            let _e1835 = nodes.member[(0u + _e1441)].frame[3u];
+                                                            let _e1839 = local_5;
+                                                            if ((_e1839 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1842 = local.group_mask;
-                                                                if ((_e1842 & 4278190080u) == 0u) {
+                                                                let _e1843 = local.group_mask;
+                                                                if ((_e1843 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1846 = local.len;
-                                                                    if (_e1846 < 32u) {
-                                                                        let _e1849 = local.group;
-                                                                        let _e1851 = local.len;
-                                                                        if (_e1851 < 32u) {
+                                                                    let _e1847 = local.len;
+                                                                    if (_e1847 < 32u) {
+                                                                        let _e1850 = local.group;
+                                                                        let _e1852 = local.len;
+                                                                        if (_e1852 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.first[(0u + _e1851)] = _e1849;
-                                                                        let _e1857 = local.group_mask;
-                                                                        let _e1859 = local.len;
-                                                                        if (_e1859 < 32u) {
+                                                                        local.first[(0u + _e1852)] = _e1850;
+                                                                        let _e1858 = local.group_mask;
+                                                                        let _e1860 = local.len;
+                                                                        if (_e1860 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.mask[(0u + _e1859)] = _e1857;
-                                                                        let _e1866 = local.len;
-                                                                        local.len = (_e1866 + 1u);
+                                                                        local.mask[(0u + _e1860)] = _e1858;
+                                                                        let _e1867 = local.len;
+                                                                        local.len = (_e1867 + 1u);
                                                                     }
                                                                 }
-                                                                local.group = (_e1064 + _e1830);
-                                                                let _e1870 = local_6;
-                                                                local.group_mask = ((_e1870 & 4278190080u) | (_e1834 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1065 + _e1831);
+                                                                let _e1871 = local_6;
+                                                                local.group_mask = ((_e1871 & 4278190080u) | (_e1835 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1875 = local_7;
-                                                            phi_1938_ = (_e1875 & 16777215u);
-                                                            phi_1941_ = _e1442;
+                                                            let _e1876 = local_7;
+                                                            phi_1941_ = (_e1876 & 16777215u);
+                                                            phi_1944_ = _e1443;
                                                             loop {
-                                                                let _e1878 = phi_1938_;
-                                                                let _e1880 = phi_1941_;
-                                                                local_12 = _e1880;
-                                                                let _e1881 = (_e1878 == 0u);
-                                                                local_8 = _e1881;
-                                                                local_13 = _e1881;
-                                                                if _e1881 {
-                                                                    phi_1939_ = u32();
-                                                                    phi_1942_ = bool();
-                                                                    phi_2539_ = false;
+                                                                let _e1879 = phi_1941_;
+                                                                let _e1881 = phi_1944_;
+                                                                local_12 = _e1881;
+                                                                let _e1882 = (_e1879 == 0u);
+                                                                local_8 = _e1882;
+                                                                local_13 = _e1882;
+                                                                if _e1882 {
+                                                                    phi_1942_ = u32();
+                                                                    phi_1945_ = bool();
+                                                                    phi_2542_ = false;
                                                                 } else {
-                                                                    let _e1884 = nodes.member[(0u + _e1440)].links[1u];
-                                                                    let _e1889 = ((_e1066 + _e1884) + select(firstTrailingBit(_e1878), 32u, (_e1878 == 0u)));
-                                                                    if (_e1889 < arrayLength((&triangles.member))) {
+                                                                    let _e1885 = nodes.member[(0u + _e1441)].links[1u];
+                                                                    let _e1890 = ((_e1067 + _e1885) + select(firstTrailingBit(_e1879), 32u, (_e1879 == 0u)));
+                                                                    if (_e1890 < arrayLength((&triangles.member))) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1896 = triangles.member[(0u + _e1889)].v0_;
-                                                                    let _e1898 = (_e1896.x - _e995);
-                                                                    let _e1900 = (_e1896.y - _e1008);
-                                                                    let _e1902 = (_e1896.z - _e1021);
-                                                                    if (_e1275 == 0u) {
-                                                                        phi_1986_ = vec3<f32>(_e1900, _e1902, _e1898);
+                                                                    let _e1897 = triangles.member[(0u + _e1890)].v0_;
+                                                                    let _e1899 = (_e1897.x - _e996);
+                                                                    let _e1901 = (_e1897.y - _e1009);
+                                                                    let _e1903 = (_e1897.z - _e1022);
+                                                                    if (_e1276 == 0u) {
+                                                                        phi_1989_ = vec3<f32>(_e1901, _e1903, _e1899);
                                                                     } else {
-                                                                        if (_e1275 == 1u) {
-                                                                            phi_1985_ = vec3<f32>(_e1902, _e1898, _e1900);
+                                                                        if (_e1276 == 1u) {
+                                                                            phi_1988_ = vec3<f32>(_e1903, _e1899, _e1901);
                                                                         } else {
-                                                                            phi_1985_ = (_e1896 - vec3<f32>(_e995, _e1008, _e1021));
+                                                                            phi_1988_ = (_e1897 - vec3<f32>(_e996, _e1009, _e1022));
                                                                         }
-                                                                        let _e1910 = phi_1985_;
-                                                                        phi_1986_ = _e1910;
+                                                                        let _e1911 = phi_1988_;
+                                                                        phi_1989_ = _e1911;
                                                                     }
-                                                                    let _e1912 = phi_1986_;
-                                                                    let _e1916 = (_e1912.x - (_e1286 * _e1912.z));
-                                                                    let _e1920 = (_e1912.y - (_e1289 * _e1912.z));
-                                                                    let _e1922 = triangles.member[(0u + _e1889)].v1_;
-                                                                    let _e1924 = (_e1922.x - _e995);
-                                                                    let _e1926 = (_e1922.y - _e1008);
-                                                                    let _e1928 = (_e1922.z - _e1021);
-                                                                    if (_e1275 == 0u) {
-                                                                        phi_2016_ = vec3<f32>(_e1926, _e1928, _e1924);
+                                                                    let _e1913 = phi_1989_;
+                                                                    let _e1917 = (_e1913.x - (_e1287 * _e1913.z));
+                                                                    let _e1921 = (_e1913.y - (_e1290 * _e1913.z));
+                                                                    let _e1923 = triangles.member[(0u + _e1890)].v1_;
+                                                                    let _e1925 = (_e1923.x - _e996);
+                                                                    let _e1927 = (_e1923.y - _e1009);
+                                                                    let _e1929 = (_e1923.z - _e1022);
+                                                                    if (_e1276 == 0u) {
+                                                                        phi_2019_ = vec3<f32>(_e1927, _e1929, _e1925);
                                                                     } else {
-                                                                        if (_e1275 == 1u) {
-                                                                            phi_2015_ = vec3<f32>(_e1928, _e1924, _e1926);
+                                                                        if (_e1276 == 1u) {
+                                                                            phi_2018_ = vec3<f32>(_e1929, _e1925, _e1927);
                                                                         } else {
-                                                                            phi_2015_ = (_e1922 - vec3<f32>(_e995, _e1008, _e1021));
+                                                                            phi_2018_ = (_e1923 - vec3<f32>(_e996, _e1009, _e1022));
                                                                         }
-                                                                        let _e1936 = phi_2015_;
-                                                                        phi_2016_ = _e1936;
+                                                                        let _e1937 = phi_2018_;
+                                                                        phi_2019_ = _e1937;
                                                                     }
-                                                                    let _e1938 = phi_2016_;
-                                                                    let _e1942 = (_e1938.x - (_e1286 * _e1938.z));
-                                                                    let _e1946 = (_e1938.y - (_e1289 * _e1938.z));
-                                                                    let _e1948 = triangles.member[(0u + _e1889)].v2_;
-                                                                    let _e1950 = (_e1948.x - _e995);
-                                                                    let _e1952 = (_e1948.y - _e1008);
-                                                                    let _e1954 = (_e1948.z - _e1021);
-                                                                    if (_e1275 == 0u) {
-                                                                        phi_2046_ = vec3<f32>(_e1952, _e1954, _e1950);
+                                                                    let _e1939 = phi_2019_;
+                                                                    let _e1943 = (_e1939.x - (_e1287 * _e1939.z));
+                                                                    let _e1947 = (_e1939.y - (_e1290 * _e1939.z));
+                                                                    let _e1949 = triangles.member[(0u + _e1890)].v2_;
+                                                                    let _e1951 = (_e1949.x - _e996);
+                                                                    let _e1953 = (_e1949.y - _e1009);
+                                                                    let _e1955 = (_e1949.z - _e1022);
+                                                                    if (_e1276 == 0u) {
+                                                                        phi_2049_ = vec3<f32>(_e1953, _e1955, _e1951);
                                                                     } else {
-                                                                        if (_e1275 == 1u) {
-                                                                            phi_2045_ = vec3<f32>(_e1954, _e1950, _e1952);
+                                                                        if (_e1276 == 1u) {
+                                                                            phi_2048_ = vec3<f32>(_e1955, _e1951, _e1953);
                                                                         } else {
-                                                                            phi_2045_ = (_e1948 - vec3<f32>(_e995, _e1008, _e1021));
+                                                                            phi_2048_ = (_e1949 - vec3<f32>(_e996, _e1009, _e1022));
                                                                         }
-                                                                        let _e1962 = phi_2045_;
-                                                                        phi_2046_ = _e1962;
+                                                                        let _e1963 = phi_2048_;
+                                                                        phi_2049_ = _e1963;
                                                                     }
-                                                                    let _e1964 = phi_2046_;
-                                                                    let _e1968 = (_e1964.x - (_e1286 * _e1964.z));
-                                                                    let _e1972 = (_e1964.y - (_e1289 * _e1964.z));
-                                                                    if (_e1942 < _e1968) {
-                                                                        phi_2065_ = true;
+                                                                    let _e1965 = phi_2049_;
+                                                                    let _e1969 = (_e1965.x - (_e1287 * _e1965.z));
+                                                                    let _e1973 = (_e1965.y - (_e1290 * _e1965.z));
+                                                                    if (_e1943 < _e1969) {
+                                                                        phi_2068_ = true;
                                                                     } else {
-                                                                        if (_e1942 == _e1968) {
-                                                                            phi_2064_ = (_e1946 < _e1972);
+                                                                        if (_e1943 == _e1969) {
+                                                                            phi_2067_ = (_e1947 < _e1973);
                                                                         } else {
-                                                                            phi_2064_ = false;
+                                                                            phi_2067_ = false;
                                                                         }
-                                                                        let _e1977 = phi_2064_;
-                                                                        phi_2065_ = _e1977;
+                                                                        let _e1978 = phi_2067_;
+                                                                        phi_2068_ = _e1978;
                                                                     }
-                                                                    let _e1979 = phi_2065_;
-                                                                    if _e1979 {
-                                                                        phi_2069_ = _e1972;
-                                                                        phi_2070_ = _e1968;
-                                                                        phi_2071_ = _e1946;
-                                                                        phi_2072_ = _e1942;
+                                                                    let _e1980 = phi_2068_;
+                                                                    if _e1980 {
+                                                                        phi_2072_ = _e1973;
+                                                                        phi_2073_ = _e1969;
+                                                                        phi_2074_ = _e1947;
+                                                                        phi_2075_ = _e1943;
                                                                     } else {
-                                                                        phi_2069_ = _e1946;
-                                                                        phi_2070_ = _e1942;
-                                                                        phi_2071_ = _e1972;
-                                                                        phi_2072_ = _e1968;
+                                                                        phi_2072_ = _e1947;
+                                                                        phi_2073_ = _e1943;
+                                                                        phi_2074_ = _e1973;
+                                                                        phi_2075_ = _e1969;
                                                                     }
-                                                                    let _e1981 = phi_2069_;
-                                                                    let _e1983 = phi_2070_;
-                                                                    let _e1985 = phi_2071_;
-                                                                    let _e1987 = phi_2072_;
-                                                                    let _e1990 = ((_e1987 * _e1981) - (_e1985 * _e1983));
-                                                                    if _e1979 {
-                                                                        phi_2080_ = -(_e1990);
+                                                                    let _e1982 = phi_2072_;
+                                                                    let _e1984 = phi_2073_;
+                                                                    let _e1986 = phi_2074_;
+                                                                    let _e1988 = phi_2075_;
+                                                                    let _e1991 = ((_e1988 * _e1982) - (_e1986 * _e1984));
+                                                                    if _e1980 {
+                                                                        phi_2083_ = -(_e1991);
                                                                     } else {
-                                                                        phi_2080_ = _e1990;
+                                                                        phi_2083_ = _e1991;
                                                                     }
-                                                                    let _e1993 = phi_2080_;
-                                                                    if (_e1968 < _e1916) {
-                                                                        phi_2091_ = true;
+                                                                    let _e1994 = phi_2083_;
+                                                                    if (_e1969 < _e1917) {
+                                                                        phi_2094_ = true;
                                                                     } else {
-                                                                        if (_e1968 == _e1916) {
-                                                                            phi_2090_ = (_e1972 < _e1920);
+                                                                        if (_e1969 == _e1917) {
+                                                                            phi_2093_ = (_e1973 < _e1921);
                                                                         } else {
-                                                                            phi_2090_ = false;
+                                                                            phi_2093_ = false;
                                                                         }
-                                                                        let _e1998 = phi_2090_;
-                                                                        phi_2091_ = _e1998;
+                                                                        let _e1999 = phi_2093_;
+                                                                        phi_2094_ = _e1999;
                                                                     }
-                                                                    let _e2000 = phi_2091_;
-                                                                    if _e2000 {
-                                                                        phi_2095_ = _e1920;
-                                                                        phi_2096_ = _e1916;
-                                                                        phi_2097_ = _e1972;
-                                                                        phi_2098_ = _e1968;
+                                                                    let _e2001 = phi_2094_;
+                                                                    if _e2001 {
+                                                                        phi_2098_ = _e1921;
+                                                                        phi_2099_ = _e1917;
+                                                                        phi_2100_ = _e1973;
+                                                                        phi_2101_ = _e1969;
                                                                     } else {
-                                                                        phi_2095_ = _e1972;
-                                                                        phi_2096_ = _e1968;
-                                                                        phi_2097_ = _e1920;
-                                                                        phi_2098_ = _e1916;
+                                                                        phi_2098_ = _e1973;
+                                                                        phi_2099_ = _e1969;
+                                                                        phi_2100_ = _e1921;
+                                                                        phi_2101_ = _e1917;
                                                                     }
-                                                                    let _e2002 = phi_2095_;
-                                                                    let _e2004 = phi_2096_;
-                                                                    let _e2006 = phi_2097_;
-                                                                    let _e2008 = phi_2098_;
-                                                                    let _e2011 = ((_e2008 * _e2002) - (_e2006 * _e2004));
-                                                                    if _e2000 {
-                                                                        phi_2106_ = -(_e2011);
+                                                                    let _e2003 = phi_2098_;
+                                                                    let _e2005 = phi_2099_;
+                                                                    let _e2007 = phi_2100_;
+                                                                    let _e2009 = phi_2101_;
+                                                                    let _e2012 = ((_e2009 * _e2003) - (_e2007 * _e2005));
+                                                                    if _e2001 {
+                                                                        phi_2109_ = -(_e2012);
                                                                     } else {
-                                                                        phi_2106_ = _e2011;
+                                                                        phi_2109_ = _e2012;
                                                                     }
-                                                                    let _e2014 = phi_2106_;
-                                                                    if (_e1916 < _e1942) {
-                                                                        phi_2117_ = true;
+                                                                    let _e2015 = phi_2109_;
+                                                                    if (_e1917 < _e1943) {
+                                                                        phi_2120_ = true;
                                                                     } else {
-                                                                        if (_e1916 == _e1942) {
-                                                                            phi_2116_ = (_e1920 < _e1946);
+                                                                        if (_e1917 == _e1943) {
+                                                                            phi_2119_ = (_e1921 < _e1947);
                                                                         } else {
-                                                                            phi_2116_ = false;
+                                                                            phi_2119_ = false;
                                                                         }
-                                                                        let _e2019 = phi_2116_;
-                                                                        phi_2117_ = _e2019;
+                                                                        let _e2020 = phi_2119_;
+                                                                        phi_2120_ = _e2020;
                                                                     }
-                                                                    let _e2021 = phi_2117_;
-                                                                    if _e2021 {
-                                                                        phi_2121_ = _e1946;
-                                                                        phi_2122_ = _e1942;
-                                                                        phi_2123_ = _e1920;
-                                                                        phi_2124_ = _e1916;
+                                                                    let _e2022 = phi_2120_;
+                                                                    if _e2022 {
+                                                                        phi_2124_ = _e1947;
+                                                                        phi_2125_ = _e1943;
+                                                                        phi_2126_ = _e1921;
+                                                                        phi_2127_ = _e1917;
                                                                     } else {
-                                                                        phi_2121_ = _e1920;
-                                                                        phi_2122_ = _e1916;
-                                                                        phi_2123_ = _e1946;
-                                                                        phi_2124_ = _e1942;
+                                                                        phi_2124_ = _e1921;
+                                                                        phi_2125_ = _e1917;
+                                                                        phi_2126_ = _e1947;
+                                                                        phi_2127_ = _e1943;
                                                                     }
-                                                                    let _e2023 = phi_2121_;
-                                                                    let _e2025 = phi_2122_;
-                                                                    let _e2027 = phi_2123_;
-                                                                    let _e2029 = phi_2124_;
-                                                                    let _e2032 = ((_e2029 * _e2023) - (_e2027 * _e2025));
-                                                                    if _e2021 {
-                                                                        phi_2132_ = -(_e2032);
+                                                                    let _e2024 = phi_2124_;
+                                                                    let _e2026 = phi_2125_;
+                                                                    let _e2028 = phi_2126_;
+                                                                    let _e2030 = phi_2127_;
+                                                                    let _e2033 = ((_e2030 * _e2024) - (_e2028 * _e2026));
+                                                                    if _e2022 {
+                                                                        phi_2135_ = -(_e2033);
                                                                     } else {
-                                                                        phi_2132_ = _e2032;
+                                                                        phi_2135_ = _e2033;
                                                                     }
-                                                                    let _e2035 = phi_2132_;
-                                                                    if (_e1993 >= 0f) {
-                                                                        if (_e2014 >= 0f) {
-                                                                            if (_e2035 >= 0f) {
-                                                                                phi_2147_ = ((_e1993 + _e2014) + _e2035);
-                                                                                phi_2148_ = false;
+                                                                    let _e2036 = phi_2135_;
+                                                                    if (_e1994 >= 0f) {
+                                                                        if (_e2015 >= 0f) {
+                                                                            if (_e2036 >= 0f) {
+                                                                                phi_2150_ = ((_e1994 + _e2015) + _e2036);
+                                                                                phi_2151_ = false;
                                                                             } else {
-                                                                                phi_2147_ = f32();
-                                                                                phi_2148_ = true;
+                                                                                phi_2150_ = f32();
+                                                                                phi_2151_ = true;
                                                                             }
-                                                                            let _e2042 = phi_2147_;
-                                                                            let _e2044 = phi_2148_;
-                                                                            phi_2149_ = _e2042;
-                                                                            phi_2150_ = _e2044;
+                                                                            let _e2043 = phi_2150_;
+                                                                            let _e2045 = phi_2151_;
+                                                                            phi_2152_ = _e2043;
+                                                                            phi_2153_ = _e2045;
                                                                         } else {
-                                                                            phi_2149_ = f32();
-                                                                            phi_2150_ = true;
+                                                                            phi_2152_ = f32();
+                                                                            phi_2153_ = true;
                                                                         }
-                                                                        let _e2046 = phi_2149_;
-                                                                        let _e2048 = phi_2150_;
-                                                                        phi_2151_ = _e2046;
-                                                                        phi_2152_ = _e2048;
+                                                                        let _e2047 = phi_2152_;
+                                                                        let _e2049 = phi_2153_;
+                                                                        phi_2154_ = _e2047;
+                                                                        phi_2155_ = _e2049;
                                                                     } else {
-                                                                        phi_2151_ = f32();
-                                                                        phi_2152_ = true;
+                                                                        phi_2154_ = f32();
+                                                                        phi_2155_ = true;
                                                                     }
-                                                                    let _e2050 = phi_2151_;
-                                                                    let _e2052 = phi_2152_;
-                                                                    if _e2052 {
-                                                                        if (_e1993 <= 0f) {
-                                                                            if (_e2014 <= 0f) {
-                                                                                let _e2055 = (_e2035 <= 0f);
-                                                                                if _e2055 {
+                                                                    let _e2051 = phi_2154_;
+                                                                    let _e2053 = phi_2155_;
+                                                                    if _e2053 {
+                                                                        if (_e1994 <= 0f) {
+                                                                            if (_e2015 <= 0f) {
+                                                                                let _e2056 = (_e2036 <= 0f);
+                                                                                if _e2056 {
                                                                                 }
-                                                                                phi_2170_ = ((_e1993 + _e2014) + _e2035);
-                                                                                phi_2171_ = false;
-                                                                                phi_2172_ = _e2055;
+                                                                                phi_2173_ = ((_e1994 + _e2015) + _e2036);
+                                                                                phi_2174_ = false;
+                                                                                phi_2175_ = _e2056;
                                                                             } else {
-                                                                                phi_2170_ = f32();
-                                                                                phi_2171_ = true;
-                                                                                phi_2172_ = false;
+                                                                                phi_2173_ = f32();
+                                                                                phi_2174_ = true;
+                                                                                phi_2175_ = false;
                                                                             }
-                                                                            let _e2059 = phi_2170_;
-                                                                            let _e2061 = phi_2171_;
-                                                                            let _e2063 = phi_2172_;
-                                                                            phi_2173_ = _e2059;
-                                                                            phi_2174_ = _e2061;
-                                                                            phi_2175_ = _e2063;
+                                                                            let _e2060 = phi_2173_;
+                                                                            let _e2062 = phi_2174_;
+                                                                            let _e2064 = phi_2175_;
+                                                                            phi_2176_ = _e2060;
+                                                                            phi_2177_ = _e2062;
+                                                                            phi_2178_ = _e2064;
                                                                         } else {
-                                                                            phi_2173_ = f32();
-                                                                            phi_2174_ = true;
-                                                                            phi_2175_ = false;
+                                                                            phi_2176_ = f32();
+                                                                            phi_2177_ = true;
+                                                                            phi_2178_ = false;
                                                                         }
-                                                                        let _e2065 = phi_2173_;
-                                                                        let _e2067 = phi_2174_;
-                                                                        let _e2069 = phi_2175_;
-                                                                        if _e2067 {
-                                                                            phi_2179_ = false;
+                                                                        let _e2066 = phi_2176_;
+                                                                        let _e2068 = phi_2177_;
+                                                                        let _e2070 = phi_2178_;
+                                                                        if _e2068 {
+                                                                            phi_2182_ = false;
                                                                         } else {
-                                                                            phi_2179_ = _e2069;
+                                                                            phi_2182_ = _e2070;
                                                                         }
-                                                                        let _e2071 = phi_2179_;
-                                                                        phi_2180_ = _e2065;
-                                                                        phi_2181_ = _e2071;
+                                                                        let _e2072 = phi_2182_;
+                                                                        phi_2183_ = _e2066;
+                                                                        phi_2184_ = _e2072;
                                                                     } else {
-                                                                        phi_2180_ = _e2050;
-                                                                        phi_2181_ = true;
+                                                                        phi_2183_ = _e2051;
+                                                                        phi_2184_ = true;
                                                                     }
-                                                                    let _e2073 = phi_2180_;
-                                                                    let _e2075 = phi_2181_;
-                                                                    if _e2075 {
-                                                                        let _e2076 = (_e2073 == 0f);
-                                                                        if _e2076 {
-                                                                            phi_2497_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2498_ = false;
+                                                                    let _e2074 = phi_2183_;
+                                                                    let _e2076 = phi_2184_;
+                                                                    if _e2076 {
+                                                                        let _e2077 = (_e2074 == 0f);
+                                                                        if _e2077 {
+                                                                            phi_2500_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2501_ = false;
                                                                         } else {
-                                                                            let _e2078 = triangles.member[(0u + _e1889)].v0_;
-                                                                            let _e2080 = (_e2078.x - _e995);
-                                                                            let _e2082 = (_e2078.y - _e1008);
-                                                                            let _e2084 = (_e2078.z - _e1021);
-                                                                            if (_e1275 == 0u) {
-                                                                                phi_2210_ = vec3<f32>(_e2082, _e2084, _e2080);
+                                                                            let _e2079 = triangles.member[(0u + _e1890)].v0_;
+                                                                            let _e2081 = (_e2079.x - _e996);
+                                                                            let _e2083 = (_e2079.y - _e1009);
+                                                                            let _e2085 = (_e2079.z - _e1022);
+                                                                            if (_e1276 == 0u) {
+                                                                                phi_2213_ = vec3<f32>(_e2083, _e2085, _e2081);
                                                                             } else {
-                                                                                if (_e1275 == 1u) {
-                                                                                    phi_2209_ = vec3<f32>(_e2084, _e2080, _e2082);
+                                                                                if (_e1276 == 1u) {
+                                                                                    phi_2212_ = vec3<f32>(_e2085, _e2081, _e2083);
                                                                                 } else {
-                                                                                    phi_2209_ = (_e2078 - vec3<f32>(_e995, _e1008, _e1021));
+                                                                                    phi_2212_ = (_e2079 - vec3<f32>(_e996, _e1009, _e1022));
                                                                                 }
-                                                                                let _e2092 = phi_2209_;
-                                                                                phi_2210_ = _e2092;
+                                                                                let _e2093 = phi_2212_;
+                                                                                phi_2213_ = _e2093;
                                                                             }
-                                                                            let _e2094 = phi_2210_;
-                                                                            let _e2096 = triangles.member[(0u + _e1889)].v1_;
-                                                                            let _e2098 = triangles.member[(0u + _e1889)].v0_;
-                                                                            let _e2101 = (_e2096.x - _e2098.x);
-                                                                            let _e2104 = (_e2096.y - _e2098.y);
-                                                                            let _e2107 = (_e2096.z - _e2098.z);
-                                                                            if (_e1275 == 0u) {
-                                                                                phi_2236_ = vec3<f32>(_e2104, _e2107, _e2101);
+                                                                            let _e2095 = phi_2213_;
+                                                                            let _e2097 = triangles.member[(0u + _e1890)].v1_;
+                                                                            let _e2099 = triangles.member[(0u + _e1890)].v0_;
+                                                                            let _e2102 = (_e2097.x - _e2099.x);
+                                                                            let _e2105 = (_e2097.y - _e2099.y);
+                                                                            let _e2108 = (_e2097.z - _e2099.z);
+                                                                            if (_e1276 == 0u) {
+                                                                                phi_2239_ = vec3<f32>(_e2105, _e2108, _e2102);
                                                                             } else {
-                                                                                if (_e1275 == 1u) {
-                                                                                    phi_2235_ = vec3<f32>(_e2107, _e2101, _e2104);
+                                                                                if (_e1276 == 1u) {
+                                                                                    phi_2238_ = vec3<f32>(_e2108, _e2102, _e2105);
                                                                                 } else {
-                                                                                    phi_2235_ = (_e2096 - _e2098);
+                                                                                    phi_2238_ = (_e2097 - _e2099);
                                                                                 }
-                                                                                let _e2114 = phi_2235_;
-                                                                                phi_2236_ = _e2114;
+                                                                                let _e2115 = phi_2238_;
+                                                                                phi_2239_ = _e2115;
                                                                             }
-                                                                            let _e2116 = phi_2236_;
-                                                                            let _e2118 = triangles.member[(0u + _e1889)].v2_;
-                                                                            let _e2120 = triangles.member[(0u + _e1889)].v0_;
-                                                                            let _e2123 = (_e2118.x - _e2120.x);
-                                                                            let _e2126 = (_e2118.y - _e2120.y);
-                                                                            let _e2129 = (_e2118.z - _e2120.z);
-                                                                            if (_e1275 == 0u) {
-                                                                                phi_2262_ = vec3<f32>(_e2126, _e2129, _e2123);
+                                                                            let _e2117 = phi_2239_;
+                                                                            let _e2119 = triangles.member[(0u + _e1890)].v2_;
+                                                                            let _e2121 = triangles.member[(0u + _e1890)].v0_;
+                                                                            let _e2124 = (_e2119.x - _e2121.x);
+                                                                            let _e2127 = (_e2119.y - _e2121.y);
+                                                                            let _e2130 = (_e2119.z - _e2121.z);
+                                                                            if (_e1276 == 0u) {
+                                                                                phi_2265_ = vec3<f32>(_e2127, _e2130, _e2124);
                                                                             } else {
-                                                                                if (_e1275 == 1u) {
-                                                                                    phi_2261_ = vec3<f32>(_e2129, _e2123, _e2126);
+                                                                                if (_e1276 == 1u) {
+                                                                                    phi_2264_ = vec3<f32>(_e2130, _e2124, _e2127);
                                                                                 } else {
-                                                                                    phi_2261_ = (_e2118 - _e2120);
+                                                                                    phi_2264_ = (_e2119 - _e2121);
                                                                                 }
-                                                                                let _e2136 = phi_2261_;
-                                                                                phi_2262_ = _e2136;
+                                                                                let _e2137 = phi_2264_;
+                                                                                phi_2265_ = _e2137;
                                                                             }
-                                                                            let _e2138 = phi_2262_;
-                                                                            let _e2145 = ((_e2116.y * _e2138.z) - (_e2116.z * _e2138.y));
-                                                                            let _e2152 = ((_e2116.z * _e2138.x) - (_e2116.x * _e2138.z));
-                                                                            let _e2159 = ((_e2116.x * _e2138.y) - (_e2116.y * _e2138.x));
-                                                                            let _e2173 = (((1f / _e1283.z) * (((_e2145 * _e2094.x) + (_e2152 * _e2094.y)) + (_e2159 * _e2094.z))) / (((_e2145 * _e1286) + (_e2152 * _e1289)) + _e2159));
-                                                                            if (_e2173 > 0f) {
-                                                                                if (_e2173 < _e121) {
-                                                                                    let _e2177 = triangles.member[(0u + _e1889)].v0_;
-                                                                                    let _e2179 = triangles.member[(0u + _e1889)].v1_;
-                                                                                    if (_e2177.x < _e2179.x) {
-                                                                                        phi_2318_ = _e2177.x;
+                                                                            let _e2139 = phi_2265_;
+                                                                            let _e2146 = ((_e2117.y * _e2139.z) - (_e2117.z * _e2139.y));
+                                                                            let _e2153 = ((_e2117.z * _e2139.x) - (_e2117.x * _e2139.z));
+                                                                            let _e2160 = ((_e2117.x * _e2139.y) - (_e2117.y * _e2139.x));
+                                                                            let _e2174 = (((1f / _e1284.z) * (((_e2146 * _e2095.x) + (_e2153 * _e2095.y)) + (_e2160 * _e2095.z))) / (((_e2146 * _e1287) + (_e2153 * _e1290)) + _e2160));
+                                                                            if (_e2174 > 0f) {
+                                                                                if (_e2174 < _e122) {
+                                                                                    let _e2178 = triangles.member[(0u + _e1890)].v0_;
+                                                                                    let _e2180 = triangles.member[(0u + _e1890)].v1_;
+                                                                                    if (_e2178.x < _e2180.x) {
+                                                                                        phi_2321_ = _e2178.x;
                                                                                     } else {
-                                                                                        phi_2318_ = _e2179.x;
+                                                                                        phi_2321_ = _e2180.x;
                                                                                     }
-                                                                                    let _e2186 = phi_2318_;
-                                                                                    if (_e2177.y < _e2179.y) {
-                                                                                        phi_2327_ = _e2177.y;
+                                                                                    let _e2187 = phi_2321_;
+                                                                                    if (_e2178.y < _e2180.y) {
+                                                                                        phi_2330_ = _e2178.y;
                                                                                     } else {
-                                                                                        phi_2327_ = _e2179.y;
+                                                                                        phi_2330_ = _e2180.y;
                                                                                     }
-                                                                                    let _e2193 = phi_2327_;
-                                                                                    if (_e2177.z < _e2179.z) {
-                                                                                        phi_2336_ = _e2177.z;
+                                                                                    let _e2194 = phi_2330_;
+                                                                                    if (_e2178.z < _e2180.z) {
+                                                                                        phi_2339_ = _e2178.z;
                                                                                     } else {
-                                                                                        phi_2336_ = _e2179.z;
+                                                                                        phi_2339_ = _e2180.z;
                                                                                     }
-                                                                                    let _e2200 = phi_2336_;
-                                                                                    let _e2202 = triangles.member[(0u + _e1889)].v2_;
-                                                                                    if (_e2186 < _e2202.x) {
-                                                                                        phi_2345_ = _e2186;
+                                                                                    let _e2201 = phi_2339_;
+                                                                                    let _e2203 = triangles.member[(0u + _e1890)].v2_;
+                                                                                    if (_e2187 < _e2203.x) {
+                                                                                        phi_2348_ = _e2187;
                                                                                     } else {
-                                                                                        phi_2345_ = _e2202.x;
+                                                                                        phi_2348_ = _e2203.x;
                                                                                     }
-                                                                                    let _e2207 = phi_2345_;
-                                                                                    if (_e2193 < _e2202.y) {
-                                                                                        phi_2352_ = _e2193;
+                                                                                    let _e2208 = phi_2348_;
+                                                                                    if (_e2194 < _e2203.y) {
+                                                                                        phi_2355_ = _e2194;
                                                                                     } else {
-                                                                                        phi_2352_ = _e2202.y;
+                                                                                        phi_2355_ = _e2203.y;
                                                                                     }
-                                                                                    let _e2212 = phi_2352_;
-                                                                                    if (_e2200 < _e2202.z) {
-                                                                                        phi_2359_ = _e2200;
+                                                                                    let _e2213 = phi_2355_;
+                                                                                    if (_e2201 < _e2203.z) {
+                                                                                        phi_2362_ = _e2201;
                                                                                     } else {
-                                                                                        phi_2359_ = _e2202.z;
+                                                                                        phi_2362_ = _e2203.z;
                                                                                     }
-                                                                                    let _e2217 = phi_2359_;
-                                                                                    let _e2219 = triangles.member[(0u + _e1889)].v0_;
-                                                                                    let _e2221 = triangles.member[(0u + _e1889)].v1_;
-                                                                                    if (_e2219.x > _e2221.x) {
-                                                                                        phi_2372_ = _e2219.x;
+                                                                                    let _e2218 = phi_2362_;
+                                                                                    let _e2220 = triangles.member[(0u + _e1890)].v0_;
+                                                                                    let _e2222 = triangles.member[(0u + _e1890)].v1_;
+                                                                                    if (_e2220.x > _e2222.x) {
+                                                                                        phi_2375_ = _e2220.x;
                                                                                     } else {
-                                                                                        phi_2372_ = _e2221.x;
+                                                                                        phi_2375_ = _e2222.x;
                                                                                     }
-                                                                                    let _e2228 = phi_2372_;
-                                                                                    if (_e2219.y > _e2221.y) {
-                                                                                        phi_2381_ = _e2219.y;
+                                                                                    let _e2229 = phi_2375_;
+                                                                                    if (_e2220.y > _e2222.y) {
+                                                                                        phi_2384_ = _e2220.y;
                                                                                     } else {
-                                                                                        phi_2381_ = _e2221.y;
+                                                                                        phi_2384_ = _e2222.y;
                                                                                     }
-                                                                                    let _e2235 = phi_2381_;
-                                                                                    if (_e2219.z > _e2221.z) {
-                                                                                        phi_2390_ = _e2219.z;
+                                                                                    let _e2236 = phi_2384_;
+                                                                                    if (_e2220.z > _e2222.z) {
+                                                                                        phi_2393_ = _e2220.z;
                                                                                     } else {
-                                                                                        phi_2390_ = _e2221.z;
+                                                                                        phi_2393_ = _e2222.z;
                                                                                     }
-                                                                                    let _e2242 = phi_2390_;
-                                                                                    let _e2244 = triangles.member[(0u + _e1889)].v2_;
-                                                                                    if (_e2228 > _e2244.x) {
-                                                                                        phi_2399_ = _e2228;
+                                                                                    let _e2243 = phi_2393_;
+                                                                                    let _e2245 = triangles.member[(0u + _e1890)].v2_;
+                                                                                    if (_e2229 > _e2245.x) {
+                                                                                        phi_2402_ = _e2229;
                                                                                     } else {
-                                                                                        phi_2399_ = _e2244.x;
+                                                                                        phi_2402_ = _e2245.x;
                                                                                     }
-                                                                                    let _e2249 = phi_2399_;
-                                                                                    if (_e2235 > _e2244.y) {
-                                                                                        phi_2406_ = _e2235;
+                                                                                    let _e2250 = phi_2402_;
+                                                                                    if (_e2236 > _e2245.y) {
+                                                                                        phi_2409_ = _e2236;
                                                                                     } else {
-                                                                                        phi_2406_ = _e2244.y;
+                                                                                        phi_2409_ = _e2245.y;
                                                                                     }
-                                                                                    let _e2254 = phi_2406_;
-                                                                                    if (_e2242 > _e2244.z) {
-                                                                                        phi_2413_ = _e2242;
+                                                                                    let _e2255 = phi_2409_;
+                                                                                    if (_e2243 > _e2245.z) {
+                                                                                        phi_2416_ = _e2243;
                                                                                     } else {
-                                                                                        phi_2413_ = _e2244.z;
+                                                                                        phi_2416_ = _e2245.z;
                                                                                     }
-                                                                                    let _e2259 = phi_2413_;
-                                                                                    let _e2263 = ((_e2207 - _e995) * _e1204);
-                                                                                    let _e2264 = ((_e2212 - _e1008) * _e1214);
-                                                                                    let _e2265 = ((_e2217 - _e1021) * _e1224);
-                                                                                    let _e2269 = ((_e2249 - _e995) * _e1204);
-                                                                                    let _e2270 = ((_e2254 - _e1008) * _e1214);
-                                                                                    let _e2271 = ((_e2259 - _e1021) * _e1224);
-                                                                                    if (_e2263 < _e2269) {
-                                                                                        phi_2430_ = _e2263;
-                                                                                    } else {
-                                                                                        phi_2430_ = _e2269;
-                                                                                    }
-                                                                                    let _e2274 = phi_2430_;
+                                                                                    let _e2260 = phi_2416_;
+                                                                                    let _e2264 = ((_e2208 - _e996) * _e1205);
+                                                                                    let _e2265 = ((_e2213 - _e1009) * _e1215);
+                                                                                    let _e2266 = ((_e2218 - _e1022) * _e1225);
+                                                                                    let _e2270 = ((_e2250 - _e996) * _e1205);
+                                                                                    let _e2271 = ((_e2255 - _e1009) * _e1215);
+                                                                                    let _e2272 = ((_e2260 - _e1022) * _e1225);
                                                                                     if (_e2264 < _e2270) {
-                                                                                        phi_2435_ = _e2264;
+                                                                                        phi_2433_ = _e2264;
                                                                                     } else {
-                                                                                        phi_2435_ = _e2270;
+                                                                                        phi_2433_ = _e2270;
                                                                                     }
-                                                                                    let _e2277 = phi_2435_;
+                                                                                    let _e2275 = phi_2433_;
                                                                                     if (_e2265 < _e2271) {
-                                                                                        phi_2440_ = _e2265;
+                                                                                        phi_2438_ = _e2265;
                                                                                     } else {
-                                                                                        phi_2440_ = _e2271;
+                                                                                        phi_2438_ = _e2271;
                                                                                     }
-                                                                                    let _e2280 = phi_2440_;
-                                                                                    if (_e2263 > _e2269) {
-                                                                                        phi_2448_ = _e2263;
+                                                                                    let _e2278 = phi_2438_;
+                                                                                    if (_e2266 < _e2272) {
+                                                                                        phi_2443_ = _e2266;
                                                                                     } else {
-                                                                                        phi_2448_ = _e2269;
+                                                                                        phi_2443_ = _e2272;
                                                                                     }
-                                                                                    let _e2286 = phi_2448_;
+                                                                                    let _e2281 = phi_2443_;
                                                                                     if (_e2264 > _e2270) {
-                                                                                        phi_2453_ = _e2264;
+                                                                                        phi_2451_ = _e2264;
                                                                                     } else {
-                                                                                        phi_2453_ = _e2270;
+                                                                                        phi_2451_ = _e2270;
                                                                                     }
-                                                                                    let _e2289 = phi_2453_;
+                                                                                    let _e2287 = phi_2451_;
                                                                                     if (_e2265 > _e2271) {
-                                                                                        phi_2458_ = _e2265;
+                                                                                        phi_2456_ = _e2265;
                                                                                     } else {
-                                                                                        phi_2458_ = _e2271;
+                                                                                        phi_2456_ = _e2271;
                                                                                     }
-                                                                                    let _e2292 = phi_2458_;
-                                                                                    let _e2296 = core_intrinsics_maximum_number_nsz_f32_((_e2274 - _e1259), (_e2277 - _e1260));
-                                                                                    let _e2297 = core_intrinsics_maximum_number_nsz_f32_(_e2296, (_e2280 - _e1261));
-                                                                                    let _e2298 = core_intrinsics_minimum_number_nsz_f32_((_e2286 + _e1259), (_e2289 + _e1260));
-                                                                                    let _e2299 = core_intrinsics_minimum_number_nsz_f32_(_e2298, (_e2292 + _e1261));
-                                                                                    if (_e2297 > _e976) {
-                                                                                        phi_2470_ = _e2297;
+                                                                                    let _e2290 = phi_2456_;
+                                                                                    if (_e2266 > _e2272) {
+                                                                                        phi_2461_ = _e2266;
                                                                                     } else {
-                                                                                        phi_2470_ = _e976;
+                                                                                        phi_2461_ = _e2272;
                                                                                     }
-                                                                                    let _e2302 = phi_2470_;
-                                                                                    if (_e2299 < _e978) {
-                                                                                        phi_2475_ = _e2299;
+                                                                                    let _e2293 = phi_2461_;
+                                                                                    let _e2297 = core_intrinsics_maximum_number_nsz_f32_((_e2275 - _e1260), (_e2278 - _e1261));
+                                                                                    let _e2298 = core_intrinsics_maximum_number_nsz_f32_(_e2297, (_e2281 - _e1262));
+                                                                                    let _e2299 = core_intrinsics_minimum_number_nsz_f32_((_e2287 + _e1260), (_e2290 + _e1261));
+                                                                                    let _e2300 = core_intrinsics_minimum_number_nsz_f32_(_e2299, (_e2293 + _e1262));
+                                                                                    if (_e2298 > _e977) {
+                                                                                        phi_2473_ = _e2298;
                                                                                     } else {
-                                                                                        phi_2475_ = _e978;
+                                                                                        phi_2473_ = _e977;
                                                                                     }
-                                                                                    let _e2305 = phi_2475_;
-                                                                                    if (_e2173 < _e2302) {
-                                                                                        phi_2480_ = _e2302;
+                                                                                    let _e2303 = phi_2473_;
+                                                                                    if (_e2300 < _e979) {
+                                                                                        phi_2478_ = _e2300;
                                                                                     } else {
-                                                                                        phi_2480_ = _e2173;
+                                                                                        phi_2478_ = _e979;
                                                                                     }
-                                                                                    let _e2308 = phi_2480_;
-                                                                                    if (_e2308 > _e2305) {
-                                                                                        phi_2485_ = _e2305;
+                                                                                    let _e2306 = phi_2478_;
+                                                                                    if (_e2174 < _e2303) {
+                                                                                        phi_2483_ = _e2303;
                                                                                     } else {
-                                                                                        phi_2485_ = _e2308;
+                                                                                        phi_2483_ = _e2174;
                                                                                     }
-                                                                                    let _e2311 = phi_2485_;
-                                                                                    phi_2490_ = lt_bvh_triangle_Intersection(_e2311, (_e2014 / _e2073), (_e2035 / _e2073), (_e2302 <= _e2305));
-                                                                                    phi_2491_ = false;
+                                                                                    let _e2309 = phi_2483_;
+                                                                                    if (_e2309 > _e2306) {
+                                                                                        phi_2488_ = _e2306;
+                                                                                    } else {
+                                                                                        phi_2488_ = _e2309;
+                                                                                    }
+                                                                                    let _e2312 = phi_2488_;
+                                                                                    phi_2493_ = lt_bvh_triangle_Intersection(_e2312, (_e2015 / _e2074), (_e2036 / _e2074), (_e2303 <= _e2306));
+                                                                                    phi_2494_ = false;
                                                                                 } else {
-                                                                                    phi_2490_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2491_ = true;
+                                                                                    phi_2493_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2494_ = true;
                                                                                 }
-                                                                                let _e2317 = phi_2490_;
-                                                                                let _e2319 = phi_2491_;
-                                                                                phi_2492_ = _e2317;
-                                                                                phi_2493_ = _e2319;
+                                                                                let _e2318 = phi_2493_;
+                                                                                let _e2320 = phi_2494_;
+                                                                                phi_2495_ = _e2318;
+                                                                                phi_2496_ = _e2320;
                                                                             } else {
-                                                                                phi_2492_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2493_ = true;
+                                                                                phi_2495_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2496_ = true;
                                                                             }
-                                                                            let _e2321 = phi_2492_;
-                                                                            let _e2323 = phi_2493_;
-                                                                            if _e2323 {
+                                                                            let _e2322 = phi_2495_;
+                                                                            let _e2324 = phi_2496_;
+                                                                            if _e2324 {
                                                                             }
-                                                                            phi_2497_ = _e2321;
-                                                                            phi_2498_ = _e2323;
+                                                                            phi_2500_ = _e2322;
+                                                                            phi_2501_ = _e2324;
                                                                         }
-                                                                        let _e2325 = phi_2497_;
-                                                                        let _e2327 = phi_2498_;
-                                                                        phi_2499_ = _e2325;
-                                                                        phi_2500_ = _e2076;
-                                                                        phi_2501_ = _e2327;
+                                                                        let _e2326 = phi_2500_;
+                                                                        let _e2328 = phi_2501_;
+                                                                        phi_2502_ = _e2326;
+                                                                        phi_2503_ = _e2077;
+                                                                        phi_2504_ = _e2328;
                                                                     } else {
-                                                                        phi_2499_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2500_ = true;
-                                                                        phi_2501_ = false;
+                                                                        phi_2502_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2503_ = true;
+                                                                        phi_2504_ = false;
                                                                     }
-                                                                    let _e2329 = phi_2499_;
-                                                                    let _e2331 = phi_2500_;
-                                                                    let _e2333 = phi_2501_;
-                                                                    if _e2331 {
-                                                                        phi_2505_ = true;
+                                                                    let _e2330 = phi_2502_;
+                                                                    let _e2332 = phi_2503_;
+                                                                    let _e2334 = phi_2504_;
+                                                                    if _e2332 {
+                                                                        phi_2508_ = true;
                                                                     } else {
-                                                                        phi_2505_ = _e2333;
+                                                                        phi_2508_ = _e2334;
                                                                     }
-                                                                    let _e2335 = phi_2505_;
-                                                                    if _e2335 {
-                                                                        phi_2509_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2336 = phi_2508_;
+                                                                    if _e2336 {
+                                                                        phi_2512_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2509_ = _e2329;
+                                                                        phi_2512_ = _e2330;
                                                                     }
-                                                                    let _e2337 = phi_2509_;
-                                                                    if _e2337.is_hit {
-                                                                        if (_e2337.t > 0f) {
-                                                                            if (_e2337.t < _e121) {
+                                                                    let _e2338 = phi_2512_;
+                                                                    if _e2338.is_hit {
+                                                                        if (_e2338.t > 0f) {
+                                                                            if (_e2338.t < _e122) {
                                                                                 if true {
-                                                                                    phi_2529_ = false;
+                                                                                    phi_2532_ = false;
                                                                                 } else {
-                                                                                    phi_2529_ = true;
+                                                                                    phi_2532_ = true;
                                                                                 }
-                                                                                let _e2346 = phi_2529_;
-                                                                                phi_2530_ = true;
-                                                                                phi_2531_ = _e2346;
+                                                                                let _e2347 = phi_2532_;
+                                                                                phi_2533_ = true;
+                                                                                phi_2534_ = _e2347;
                                                                             } else {
-                                                                                phi_2530_ = _e1880;
-                                                                                phi_2531_ = true;
+                                                                                phi_2533_ = _e1881;
+                                                                                phi_2534_ = true;
                                                                             }
-                                                                            let _e2348 = phi_2530_;
-                                                                            let _e2350 = phi_2531_;
-                                                                            phi_2532_ = _e2348;
-                                                                            phi_2533_ = _e2350;
+                                                                            let _e2349 = phi_2533_;
+                                                                            let _e2351 = phi_2534_;
+                                                                            phi_2535_ = _e2349;
+                                                                            phi_2536_ = _e2351;
                                                                         } else {
-                                                                            phi_2532_ = _e1880;
-                                                                            phi_2533_ = true;
+                                                                            phi_2535_ = _e1881;
+                                                                            phi_2536_ = true;
                                                                         }
-                                                                        let _e2352 = phi_2532_;
-                                                                        let _e2354 = phi_2533_;
-                                                                        phi_2534_ = _e2352;
-                                                                        phi_2535_ = _e2354;
+                                                                        let _e2353 = phi_2535_;
+                                                                        let _e2355 = phi_2536_;
+                                                                        phi_2537_ = _e2353;
+                                                                        phi_2538_ = _e2355;
                                                                     } else {
-                                                                        phi_2534_ = _e1880;
-                                                                        phi_2535_ = true;
+                                                                        phi_2537_ = _e1881;
+                                                                        phi_2538_ = true;
                                                                     }
-                                                                    let _e2356 = phi_2534_;
-                                                                    let _e2358 = phi_2535_;
-                                                                    if _e2358 {
+                                                                    let _e2357 = phi_2537_;
+                                                                    let _e2359 = phi_2538_;
+                                                                    if _e2359 {
                                                                     }
-                                                                    phi_1939_ = (_e1878 & (_e1878 - 1u));
-                                                                    phi_1942_ = _e2356;
-                                                                    phi_2539_ = _e2358;
+                                                                    phi_1942_ = (_e1879 & (_e1879 - 1u));
+                                                                    phi_1945_ = _e2357;
+                                                                    phi_2542_ = _e2359;
                                                                 }
-                                                                let _e2360 = phi_1939_;
-                                                                let _e2362 = phi_1942_;
-                                                                let _e2364 = phi_2539_;
+                                                                let _e2361 = phi_1942_;
+                                                                let _e2363 = phi_1945_;
+                                                                let _e2365 = phi_2542_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1938_ = _e2360;
-                                                                    phi_1941_ = _e2362;
-                                                                    break if !(_e2364);
+                                                                    phi_1941_ = _e2361;
+                                                                    phi_1944_ = _e2363;
+                                                                    break if !(_e2365);
                                                                 }
                                                             }
-                                                            let _e2367 = local_8;
-                                                            if _e2367 {
-                                                                let _e2369 = local.group_mask;
-                                                                if ((_e2369 & 4278190080u) == 0u) {
-                                                                    let _e2373 = local.len;
-                                                                    if (_e2373 == 0u) {
-                                                                        phi_2581_ = false;
+                                                            let _e2368 = local_8;
+                                                            if _e2368 {
+                                                                let _e2370 = local.group_mask;
+                                                                if ((_e2370 & 4278190080u) == 0u) {
+                                                                    let _e2374 = local.len;
+                                                                    if (_e2374 == 0u) {
+                                                                        phi_2584_ = false;
                                                                     } else {
-                                                                        let _e2377 = local.len;
-                                                                        local.len = (_e2377 - 1u);
-                                                                        let _e2380 = local.len;
-                                                                        if (_e2380 < 32u) {
+                                                                        let _e2378 = local.len;
+                                                                        local.len = (_e2378 - 1u);
+                                                                        let _e2381 = local.len;
+                                                                        if (_e2381 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2385 = local.first[(0u + _e2380)];
-                                                                        local.group = _e2385;
-                                                                        let _e2388 = local.len;
-                                                                        if (_e2388 < 32u) {
+                                                                        let _e2386 = local.first[(0u + _e2381)];
+                                                                        local.group = _e2386;
+                                                                        let _e2389 = local.len;
+                                                                        if (_e2389 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2393 = local.mask[(0u + _e2388)];
-                                                                        local.group_mask = _e2393;
-                                                                        phi_2581_ = true;
+                                                                        let _e2394 = local.mask[(0u + _e2389)];
+                                                                        local.group_mask = _e2394;
+                                                                        phi_2584_ = true;
                                                                     }
-                                                                    let _e2396 = phi_2581_;
-                                                                    phi_2582_ = _e2396;
+                                                                    let _e2397 = phi_2584_;
+                                                                    phi_2585_ = _e2397;
                                                                 } else {
-                                                                    phi_2582_ = true;
+                                                                    phi_2585_ = true;
                                                                 }
-                                                                let _e2398 = phi_2582_;
-                                                                if _e2398 {
-                                                                    let _e2400 = local.group_mask;
-                                                                    let _e2406 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2400)), 32u, (_e2400 == 0u)));
-                                                                    let _e2410 = local.group_mask;
-                                                                    let _e2424 = local.group_mask;
-                                                                    local.group_mask = (_e2424 & ~((1u << bitcast<u32>((_e2406 & 31u)))));
-                                                                    let _e2427 = local.group;
-                                                                    phi_2613_ = (_e2427 + countOneBits(((_e2410 & ~((4294967295u << bitcast<u32>((((_e2406 - 24u) ^ _e1302) & 31u))))) & 255u)));
+                                                                let _e2399 = phi_2585_;
+                                                                if _e2399 {
+                                                                    let _e2401 = local.group_mask;
+                                                                    let _e2407 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2401)), 32u, (_e2401 == 0u)));
+                                                                    let _e2411 = local.group_mask;
+                                                                    let _e2425 = local.group_mask;
+                                                                    local.group_mask = (_e2425 & ~((1u << bitcast<u32>((_e2407 & 31u)))));
+                                                                    let _e2428 = local.group;
+                                                                    phi_2616_ = (_e2428 + countOneBits(((_e2411 & ~((4294967295u << bitcast<u32>((((_e2407 - 24u) ^ _e1303) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_2613_ = 4294967295u;
+                                                                    phi_2616_ = 4294967295u;
                                                                 }
-                                                                let _e2430 = phi_2613_;
-                                                                phi_2614_ = _e2430;
+                                                                let _e2431 = phi_2616_;
+                                                                phi_2617_ = _e2431;
                                                             } else {
-                                                                phi_2614_ = u32();
+                                                                phi_2617_ = u32();
                                                             }
-                                                            let _e2432 = phi_2614_;
-                                                            phi_1607_ = _e2432;
-                                                            let _e2838 = local_12;
-                                                            phi_1610_ = _e2838;
-                                                            let _e2841 = local_13;
-                                                            phi_2615_ = _e2841;
-                                                            phi_2616_ = false;
+                                                            let _e2433 = phi_2617_;
+                                                            phi_1610_ = _e2433;
+                                                            let _e2839 = local_12;
+                                                            phi_1613_ = _e2839;
+                                                            let _e2842 = local_13;
+                                                            phi_2618_ = _e2842;
+                                                            phi_2619_ = false;
                                                         } else {
-                                                            phi_1607_ = u32();
-                                                            phi_1610_ = bool();
-                                                            phi_2615_ = false;
-                                                            phi_2616_ = true;
+                                                            phi_1610_ = u32();
+                                                            phi_1613_ = bool();
+                                                            phi_2618_ = false;
+                                                            phi_2619_ = true;
                                                         }
-                                                        let _e2434 = phi_1607_;
-                                                        let _e2436 = phi_1610_;
-                                                        let _e2438 = phi_2615_;
-                                                        let _e2440 = phi_2616_;
-                                                        local_9 = _e2440;
+                                                        let _e2435 = phi_1610_;
+                                                        let _e2437 = phi_1613_;
+                                                        let _e2439 = phi_2618_;
+                                                        let _e2441 = phi_2619_;
+                                                        local_9 = _e2441;
                                                         continue;
                                                         continuing {
-                                                            phi_1606_ = _e2434;
-                                                            phi_1609_ = _e2436;
-                                                            break if !(_e2438);
+                                                            phi_1609_ = _e2435;
+                                                            phi_1612_ = _e2437;
+                                                            break if !(_e2439);
                                                         }
                                                     }
-                                                    let _e2443 = local_9;
-                                                    if _e2443 {
-                                                        phi_2620_ = false;
+                                                    let _e2444 = local_9;
+                                                    if _e2444 {
+                                                        phi_2623_ = false;
                                                     } else {
-                                                        phi_2620_ = true;
+                                                        phi_2623_ = true;
                                                     }
-                                                    let _e2445 = phi_2620_;
-                                                    if _e2445 {
-                                                        phi_2624_ = true;
+                                                    let _e2446 = phi_2623_;
+                                                    if _e2446 {
+                                                        phi_2627_ = true;
                                                     } else {
-                                                        let _e2847 = local_14;
-                                                        phi_2624_ = _e2847;
+                                                        let _e2848 = local_14;
+                                                        phi_2627_ = _e2848;
                                                     }
-                                                    let _e2447 = phi_2624_;
-                                                    phi_2625_ = _e2447;
+                                                    let _e2448 = phi_2627_;
+                                                    phi_2628_ = _e2448;
                                                 }
-                                                let _e2449 = phi_2625_;
-                                                phi_2626_ = _e2449;
-                                                phi_2627_ = _e1128;
+                                                let _e2450 = phi_2628_;
+                                                phi_2629_ = _e2450;
+                                                phi_2630_ = _e1129;
                                             } else {
-                                                phi_2626_ = bool();
-                                                phi_2627_ = true;
+                                                phi_2629_ = bool();
+                                                phi_2630_ = true;
                                             }
-                                            let _e2451 = phi_2626_;
-                                            let _e2453 = phi_2627_;
-                                            if _e2453 {
-                                                phi_2631_ = _e915;
+                                            let _e2452 = phi_2629_;
+                                            let _e2454 = phi_2630_;
+                                            if _e2454 {
+                                                phi_2634_ = _e916;
                                             } else {
-                                                phi_2631_ = _e2451;
+                                                phi_2634_ = _e2452;
                                             }
-                                            let _e2455 = phi_2631_;
-                                            if _e2455 {
-                                                phi_2635_ = false;
+                                            let _e2456 = phi_2634_;
+                                            if _e2456 {
+                                                phi_2638_ = false;
                                             } else {
-                                                phi_2635_ = true;
+                                                phi_2638_ = true;
                                             }
-                                            let _e2457 = phi_2635_;
-                                            phi_2636_ = _e2455;
-                                            phi_2637_ = _e2457;
+                                            let _e2458 = phi_2638_;
+                                            phi_2639_ = _e2456;
+                                            phi_2640_ = _e2458;
                                         } else {
-                                            phi_2636_ = _e915;
-                                            phi_2637_ = true;
+                                            phi_2639_ = _e916;
+                                            phi_2640_ = true;
                                         }
-                                        let _e2459 = phi_2636_;
-                                        let _e2461 = phi_2637_;
-                                        phi_2638_ = _e2459;
-                                        phi_2639_ = _e2461;
+                                        let _e2460 = phi_2639_;
+                                        let _e2462 = phi_2640_;
+                                        phi_2641_ = _e2460;
+                                        phi_2642_ = _e2462;
                                     } else {
-                                        phi_2638_ = _e915;
-                                        phi_2639_ = true;
+                                        phi_2641_ = _e916;
+                                        phi_2642_ = true;
                                     }
-                                    let _e2463 = phi_2638_;
-                                    let _e2465 = phi_2639_;
-                                    phi_2640_ = _e2463;
-                                    phi_2641_ = _e2465;
+                                    let _e2464 = phi_2641_;
+                                    let _e2466 = phi_2642_;
+                                    phi_2643_ = _e2464;
+                                    phi_2644_ = _e2466;
                                 } else {
-                                    phi_2640_ = _e915;
-                                    phi_2641_ = true;
+                                    phi_2643_ = _e916;
+                                    phi_2644_ = true;
                                 }
-                                let _e2467 = phi_2640_;
-                                let _e2469 = phi_2641_;
-                                if _e2469 {
+                                let _e2468 = phi_2643_;
+                                let _e2470 = phi_2644_;
+                                if _e2470 {
                                 }
-                                phi_999_ = (_e913 & (_e913 - 1u));
-                                phi_1002_ = _e2467;
-                                phi_2645_ = _e2469;
+                                phi_1002_ = (_e914 & (_e914 - 1u));
+                                phi_1005_ = _e2468;
+                                phi_2648_ = _e2470;
                             }
-                            let _e2471 = phi_999_;
-                            let _e2473 = phi_1002_;
-                            let _e2475 = phi_2645_;
+                            let _e2472 = phi_1002_;
+                            let _e2474 = phi_1005_;
+                            let _e2476 = phi_2648_;
                             continue;
                             continuing {
-                                phi_998_ = _e2471;
-                                phi_1001_ = _e2473;
-                                break if !(_e2475);
+                                phi_1001_ = _e2472;
+                                phi_1004_ = _e2474;
+                                break if !(_e2476);
                             }
                         }
-                        let _e2478 = local_10;
-                        if _e2478 {
-                            let _e2480 = local_1.group_mask;
-                            if ((_e2480 & 4278190080u) == 0u) {
-                                let _e2484 = local_1.len;
-                                if (_e2484 == 0u) {
-                                    phi_2687_ = false;
+                        let _e2479 = local_10;
+                        if _e2479 {
+                            let _e2481 = local_1.group_mask;
+                            if ((_e2481 & 4278190080u) == 0u) {
+                                let _e2485 = local_1.len;
+                                if (_e2485 == 0u) {
+                                    phi_2690_ = false;
                                 } else {
-                                    let _e2488 = local_1.len;
-                                    local_1.len = (_e2488 - 1u);
-                                    let _e2491 = local_1.len;
-                                    if (_e2491 < 32u) {
+                                    let _e2489 = local_1.len;
+                                    local_1.len = (_e2489 - 1u);
+                                    let _e2492 = local_1.len;
+                                    if (_e2492 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2496 = local_1.first[(0u + _e2491)];
-                                    local_1.group = _e2496;
-                                    let _e2499 = local_1.len;
-                                    if (_e2499 < 32u) {
+                                    let _e2497 = local_1.first[(0u + _e2492)];
+                                    local_1.group = _e2497;
+                                    let _e2500 = local_1.len;
+                                    if (_e2500 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2504 = local_1.mask[(0u + _e2499)];
-                                    local_1.group_mask = _e2504;
-                                    phi_2687_ = true;
+                                    let _e2505 = local_1.mask[(0u + _e2500)];
+                                    local_1.group_mask = _e2505;
+                                    phi_2690_ = true;
                                 }
-                                let _e2507 = phi_2687_;
-                                phi_2688_ = _e2507;
+                                let _e2508 = phi_2690_;
+                                phi_2691_ = _e2508;
                             } else {
-                                phi_2688_ = true;
+                                phi_2691_ = true;
                             }
-                            let _e2509 = phi_2688_;
-                            if _e2509 {
-                                let _e2511 = local_1.group_mask;
-                                let _e2517 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2511)), 32u, (_e2511 == 0u)));
-                                let _e2521 = local_1.group_mask;
-                                let _e2535 = local_1.group_mask;
-                                local_1.group_mask = (_e2535 & ~((1u << bitcast<u32>((_e2517 & 31u)))));
-                                let _e2538 = local_1.group;
-                                phi_2719_ = (_e2538 + countOneBits(((_e2521 & ~((4294967295u << bitcast<u32>((((_e2517 - 24u) ^ _e337) & 31u))))) & 255u)));
+                            let _e2510 = phi_2691_;
+                            if _e2510 {
+                                let _e2512 = local_1.group_mask;
+                                let _e2518 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2512)), 32u, (_e2512 == 0u)));
+                                let _e2522 = local_1.group_mask;
+                                let _e2536 = local_1.group_mask;
+                                local_1.group_mask = (_e2536 & ~((1u << bitcast<u32>((_e2518 & 31u)))));
+                                let _e2539 = local_1.group;
+                                phi_2722_ = (_e2539 + countOneBits(((_e2522 & ~((4294967295u << bitcast<u32>((((_e2518 - 24u) ^ _e338) & 31u))))) & 255u)));
                             } else {
-                                phi_2719_ = 4294967295u;
+                                phi_2722_ = 4294967295u;
                             }
-                            let _e2541 = phi_2719_;
-                            phi_2720_ = _e2541;
+                            let _e2542 = phi_2722_;
+                            phi_2723_ = _e2542;
                         } else {
-                            phi_2720_ = u32();
+                            phi_2723_ = u32();
                         }
-                        let _e2543 = phi_2720_;
-                        phi_667_ = _e2543;
-                        let _e2870 = local_15;
-                        phi_670_ = _e2870;
-                        let _e2873 = local_16;
-                        phi_2721_ = _e2873;
-                        phi_2722_ = false;
+                        let _e2544 = phi_2723_;
+                        phi_670_ = _e2544;
+                        let _e2871 = local_15;
+                        phi_673_ = _e2871;
+                        let _e2874 = local_16;
+                        phi_2724_ = _e2874;
+                        phi_2725_ = false;
                     } else {
-                        phi_667_ = u32();
-                        phi_670_ = bool();
-                        phi_2721_ = false;
-                        phi_2722_ = true;
+                        phi_670_ = u32();
+                        phi_673_ = bool();
+                        phi_2724_ = false;
+                        phi_2725_ = true;
                     }
-                    let _e2545 = phi_667_;
-                    let _e2547 = phi_670_;
-                    let _e2549 = phi_2721_;
-                    let _e2551 = phi_2722_;
-                    local_11 = _e2551;
+                    let _e2546 = phi_670_;
+                    let _e2548 = phi_673_;
+                    let _e2550 = phi_2724_;
+                    let _e2552 = phi_2725_;
+                    local_11 = _e2552;
                     continue;
                     continuing {
-                        phi_666_ = _e2545;
-                        phi_669_ = _e2547;
-                        break if !(_e2549);
+                        phi_669_ = _e2546;
+                        phi_672_ = _e2548;
+                        break if !(_e2550);
                     }
                 }
-                let _e2554 = local_11;
-                if _e2554 {
-                    phi_2726_ = false;
+                let _e2555 = local_11;
+                if _e2555 {
+                    phi_2729_ = false;
                 } else {
-                    phi_2726_ = true;
+                    phi_2729_ = true;
                 }
-                let _e2556 = phi_2726_;
-                if _e2556 {
+                let _e2557 = phi_2729_;
+                if _e2557 {
                 }
-                phi_2730_ = _e2556;
+                phi_2733_ = _e2557;
             }
-            let _e2558 = phi_2730_;
-            phi_2731_ = _e193;
-            phi_2732_ = _e2558;
+            let _e2559 = phi_2733_;
+            phi_2734_ = _e194;
+            phi_2735_ = _e2559;
         } else {
-            phi_2731_ = true;
-            phi_2732_ = false;
+            phi_2734_ = true;
+            phi_2735_ = false;
         }
-        let _e2560 = phi_2731_;
-        let _e2562 = phi_2732_;
-        if _e2560 {
-            phi_2736_ = false;
-            phi_2737_ = true;
+        let _e2561 = phi_2734_;
+        let _e2563 = phi_2735_;
+        if _e2561 {
+            phi_2739_ = false;
+            phi_2740_ = true;
         } else {
-            phi_2736_ = true;
-            phi_2737_ = _e2562;
+            phi_2739_ = true;
+            phi_2740_ = _e2563;
         }
-        let _e2564 = phi_2736_;
-        let _e2566 = phi_2737_;
-        if _e2566 {
-            phi_2741_ = _e2564;
+        let _e2565 = phi_2739_;
+        let _e2567 = phi_2740_;
+        if _e2567 {
+            phi_2744_ = _e2565;
         } else {
-            phi_2741_ = false;
+            phi_2744_ = false;
         }
-        let _e2568 = phi_2741_;
-        if _e2568 {
-            phi_2745_ = 0f;
+        let _e2569 = phi_2744_;
+        if _e2569 {
+            phi_2748_ = 0f;
         } else {
-            phi_2745_ = 1f;
+            phi_2748_ = 1f;
         }
-        let _e2570 = phi_2745_;
+        let _e2571 = phi_2748_;
         if (_e90 < _e68) {
         } else {
             return;
         }
-        visibility.member[(0u + _e90)] = _e2570;
+        visibility.member[(0u + _e90)] = _e2571;
         if (_e90 < _e74) {
         } else {
             return;
         }
-        let _e2577 = bits.member[(0u + _e90)];
-        if ((_e2577 & 2u) == 0u) {
-            phi_2766_ = (_e2577 & 1u);
+        let _e2578 = bits.member[(0u + _e90)];
+        if ((_e2578 & 2u) == 0u) {
+            phi_2769_ = (_e2578 & 1u);
         } else {
-            phi_2766_ = (_e2577 & 7u);
+            phi_2769_ = (_e2578 & 7u);
         }
-        let _e2583 = phi_2766_;
+        let _e2584 = phi_2769_;
         if (_e90 < _e68) {
         } else {
             return;
         }
-        let _e2587 = visibility.member[(0u + _e90)];
-        if ((_e2583 & 1u) != 0u) {
-            phi_2781_ = (2u | 1u);
+        let _e2588 = visibility.member[(0u + _e90)];
+        if ((_e2584 & 1u) != 0u) {
+            phi_2784_ = (2u | 1u);
         } else {
-            phi_2781_ = 2u;
+            phi_2784_ = 2u;
         }
-        let _e2593 = phi_2781_;
-        if (_e2587 < 0.5f) {
-            phi_2786_ = (_e2593 | 4u);
+        let _e2594 = phi_2784_;
+        if (_e2588 < 0.5f) {
+            phi_2789_ = (_e2594 | 4u);
         } else {
-            phi_2786_ = _e2593;
+            phi_2789_ = _e2594;
         }
-        let _e2596 = phi_2786_;
+        let _e2597 = phi_2789_;
         if (_e90 < _e74) {
         } else {
             return;
         }
-        bits.member[(0u + _e90)] = _e2596;
+        bits.member[(0u + _e90)] = _e2597;
     }
     return;
 }

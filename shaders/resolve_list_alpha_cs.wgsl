@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -47,18 +56,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_30 {
+struct type_31 {
     member: abi_ShadowParams,
 }
 
@@ -70,7 +79,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_35 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -83,7 +92,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_39 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -95,7 +104,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<abi_Vertex>,
 }
 
@@ -111,7 +120,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_47 {
+struct type_48 {
     member: array<abi_Material>,
 }
 
@@ -144,113 +153,113 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_30;
+var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> nodes: type_35;
+var<storage> nodes: type_36;
 @group(0) @binding(3) 
-var<storage> triangles: type_39;
+var<storage> triangles: type_40;
 @group(0) @binding(6) 
-var<storage> vertices: type_43;
+var<storage> vertices: type_44;
 @group(0) @binding(7) 
-var<storage> materials: type_47;
+var<storage> materials: type_48;
 @group(0) @binding(8) 
 var<storage> alpha_texels: type_13;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_191_: bool;
-    var phi_195_: f32;
+    var phi_193_: bool;
+    var phi_197_: f32;
 
     if (param != param) {
-        phi_191_ = true;
+        phi_193_ = true;
     } else {
         let _e69 = (param_1 >= param);
         if _e69 {
         }
-        phi_191_ = _e69;
+        phi_193_ = _e69;
     }
-    let _e71 = phi_191_;
+    let _e71 = phi_193_;
     if _e71 {
-        phi_195_ = param_1;
+        phi_197_ = param_1;
     } else {
-        phi_195_ = param;
+        phi_197_ = param;
     }
-    let _e73 = phi_195_;
+    let _e73 = phi_197_;
     return _e73;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_207_: bool;
-    var phi_211_: f32;
+    var phi_209_: bool;
+    var phi_213_: f32;
 
     if (param_2 != param_2) {
-        phi_207_ = true;
+        phi_209_ = true;
     } else {
         let _e69 = (param_3 <= param_2);
         if _e69 {
         }
-        phi_207_ = _e69;
+        phi_209_ = _e69;
     }
-    let _e71 = phi_207_;
+    let _e71 = phi_209_;
     if _e71 {
-        phi_211_ = param_3;
+        phi_213_ = param_3;
     } else {
-        phi_211_ = param_2;
+        phi_213_ = param_2;
     }
-    let _e73 = phi_211_;
+    let _e73 = phi_213_;
     return _e73;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
-    var phi_253_: f32;
-    var phi_258_: f32;
-    var phi_259_: bool;
+    var phi_255_: f32;
     var phi_260_: f32;
     var phi_261_: bool;
-    var phi_265_: f32;
-    var phi_291_: f32;
-    var phi_296_: f32;
-    var phi_297_: bool;
+    var phi_262_: f32;
+    var phi_263_: bool;
+    var phi_267_: f32;
+    var phi_293_: f32;
     var phi_298_: f32;
     var phi_299_: bool;
-    var phi_303_: f32;
-    var phi_311_: f32;
-    var phi_312_: f32;
+    var phi_300_: f32;
+    var phi_301_: bool;
+    var phi_305_: f32;
     var phi_313_: f32;
-    var phi_322_: f32;
-    var phi_323_: f32;
-    var phi_341_: u32;
-    var phi_355_: u32;
-    var phi_362_: u32;
-    var phi_367_: u32;
-    var phi_373_: u32;
-    var phi_378_: u32;
-    var phi_380_: texture_Axis;
-    var phi_408_: f32;
-    var phi_413_: f32;
-    var phi_414_: bool;
+    var phi_314_: f32;
+    var phi_315_: f32;
+    var phi_324_: f32;
+    var phi_325_: f32;
+    var phi_343_: u32;
+    var phi_357_: u32;
+    var phi_364_: u32;
+    var phi_369_: u32;
+    var phi_375_: u32;
+    var phi_380_: u32;
+    var phi_382_: texture_Axis;
+    var phi_410_: f32;
     var phi_415_: f32;
     var phi_416_: bool;
-    var phi_420_: f32;
-    var phi_446_: f32;
-    var phi_451_: f32;
-    var phi_452_: bool;
+    var phi_417_: f32;
+    var phi_418_: bool;
+    var phi_422_: f32;
+    var phi_448_: f32;
     var phi_453_: f32;
     var phi_454_: bool;
-    var phi_458_: f32;
-    var phi_466_: f32;
-    var phi_467_: f32;
+    var phi_455_: f32;
+    var phi_456_: bool;
+    var phi_460_: f32;
     var phi_468_: f32;
-    var phi_477_: f32;
-    var phi_478_: f32;
-    var phi_496_: u32;
-    var phi_510_: u32;
-    var phi_517_: u32;
-    var phi_522_: u32;
-    var phi_528_: u32;
-    var phi_533_: u32;
-    var phi_535_: texture_Axis;
+    var phi_469_: f32;
+    var phi_470_: f32;
+    var phi_479_: f32;
+    var phi_480_: f32;
+    var phi_498_: u32;
+    var phi_512_: u32;
+    var phi_519_: u32;
+    var phi_524_: u32;
+    var phi_530_: u32;
+    var phi_535_: u32;
+    var phi_537_: texture_Axis;
 
     let _e70 = (*param_4).size;
     let _e71 = (_e70 & 65535u);
@@ -264,286 +273,286 @@ fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureVi
         if (param_5 > -8388608f) {
             let _e97 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
             if (_e97 > param_5) {
-                phi_253_ = 1f;
+                phi_255_ = 1f;
             } else {
-                phi_253_ = 0f;
+                phi_255_ = 0f;
             }
-            let _e100 = phi_253_;
+            let _e100 = phi_255_;
             if (param_5 < 8388608f) {
-                phi_258_ = (_e97 - _e100);
-                phi_259_ = false;
+                phi_260_ = (_e97 - _e100);
+                phi_261_ = false;
             } else {
-                phi_258_ = f32();
-                phi_259_ = true;
+                phi_260_ = f32();
+                phi_261_ = true;
             }
-            let _e103 = phi_258_;
-            let _e105 = phi_259_;
-            phi_260_ = _e103;
-            phi_261_ = _e105;
+            let _e103 = phi_260_;
+            let _e105 = phi_261_;
+            phi_262_ = _e103;
+            phi_263_ = _e105;
         } else {
-            phi_260_ = f32();
-            phi_261_ = true;
+            phi_262_ = f32();
+            phi_263_ = true;
         }
-        let _e107 = phi_260_;
-        let _e109 = phi_261_;
+        let _e107 = phi_262_;
+        let _e109 = phi_263_;
         if _e109 {
-            phi_265_ = param_5;
+            phi_267_ = param_5;
         } else {
-            phi_265_ = _e107;
+            phi_267_ = _e107;
         }
-        let _e111 = phi_265_;
-        phi_313_ = (param_5 - _e111);
+        let _e111 = phi_267_;
+        phi_315_ = (param_5 - _e111);
     } else {
         if (_e84 == 1u) {
             let _e114 = (param_5 * 0.5f);
             if (_e114 > -8388608f) {
                 let _e126 = f32(select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)));
                 if (_e126 > _e114) {
-                    phi_291_ = 1f;
+                    phi_293_ = 1f;
                 } else {
-                    phi_291_ = 0f;
+                    phi_293_ = 0f;
                 }
-                let _e129 = phi_291_;
+                let _e129 = phi_293_;
                 if (_e114 < 8388608f) {
-                    phi_296_ = (_e126 - _e129);
-                    phi_297_ = false;
+                    phi_298_ = (_e126 - _e129);
+                    phi_299_ = false;
                 } else {
-                    phi_296_ = f32();
-                    phi_297_ = true;
+                    phi_298_ = f32();
+                    phi_299_ = true;
                 }
-                let _e132 = phi_296_;
-                let _e134 = phi_297_;
-                phi_298_ = _e132;
-                phi_299_ = _e134;
+                let _e132 = phi_298_;
+                let _e134 = phi_299_;
+                phi_300_ = _e132;
+                phi_301_ = _e134;
             } else {
-                phi_298_ = f32();
-                phi_299_ = true;
+                phi_300_ = f32();
+                phi_301_ = true;
             }
-            let _e136 = phi_298_;
-            let _e138 = phi_299_;
+            let _e136 = phi_300_;
+            let _e138 = phi_301_;
             if _e138 {
-                phi_303_ = _e114;
+                phi_305_ = _e114;
             } else {
-                phi_303_ = _e136;
+                phi_305_ = _e136;
             }
-            let _e140 = phi_303_;
+            let _e140 = phi_305_;
             let _e142 = (param_5 - (2f * _e140));
             if (_e142 > 1f) {
-                phi_311_ = (2f - _e142);
+                phi_313_ = (2f - _e142);
             } else {
-                phi_311_ = _e142;
+                phi_313_ = _e142;
             }
-            let _e146 = phi_311_;
-            phi_312_ = _e146;
+            let _e146 = phi_313_;
+            phi_314_ = _e146;
         } else {
-            phi_312_ = param_5;
+            phi_314_ = param_5;
         }
-        let _e148 = phi_312_;
-        phi_313_ = _e148;
+        let _e148 = phi_314_;
+        phi_315_ = _e148;
     }
-    let _e150 = phi_313_;
+    let _e150 = phi_315_;
     if (_e150 > 0f) {
         if (_e150 < 1f) {
-            phi_322_ = _e150;
+            phi_324_ = _e150;
         } else {
-            phi_322_ = 1f;
+            phi_324_ = 1f;
         }
-        let _e154 = phi_322_;
-        phi_323_ = _e154;
+        let _e154 = phi_324_;
+        phi_325_ = _e154;
     } else {
-        phi_323_ = 0f;
+        phi_325_ = 0f;
     }
-    let _e156 = phi_323_;
+    let _e156 = phi_325_;
     let _e157 = (_e71 - 1u);
     let _e159 = (_e156 * f32(_e71));
     if _e79 {
         let _e166 = select(select(u32(_e159), 0u, (_e159 < bitcast<f32>(0u))), 4294967295u, (_e159 > bitcast<f32>(1333788671u)));
         if (_e157 < _e166) {
-            phi_341_ = _e157;
+            phi_343_ = _e157;
         } else {
-            phi_341_ = _e166;
+            phi_343_ = _e166;
         }
-        let _e169 = phi_341_;
-        phi_380_ = texture_Axis(_e169, _e169, 0f);
+        let _e169 = phi_343_;
+        phi_382_ = texture_Axis(_e169, _e169, 0f);
     } else {
         let _e171 = (_e159 + 0.5f);
         let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
         if (_e71 < _e178) {
-            phi_355_ = _e71;
+            phi_357_ = _e71;
         } else {
-            phi_355_ = _e178;
+            phi_357_ = _e178;
         }
-        let _e181 = phi_355_;
+        let _e181 = phi_357_;
         if (_e84 == 0u) {
-            phi_362_ = _e157;
+            phi_364_ = _e157;
         } else {
-            phi_362_ = 0u;
+            phi_364_ = 0u;
         }
-        let _e186 = phi_362_;
+        let _e186 = phi_364_;
         if (_e84 == 0u) {
-            phi_367_ = 0u;
+            phi_369_ = 0u;
         } else {
-            phi_367_ = _e157;
+            phi_369_ = _e157;
         }
-        let _e189 = phi_367_;
+        let _e189 = phi_369_;
         if (_e181 == 0u) {
-            phi_373_ = _e186;
+            phi_375_ = _e186;
         } else {
-            phi_373_ = (_e181 - 1u);
+            phi_375_ = (_e181 - 1u);
         }
-        let _e193 = phi_373_;
+        let _e193 = phi_375_;
         if (_e181 > _e157) {
-            phi_378_ = _e189;
+            phi_380_ = _e189;
         } else {
-            phi_378_ = _e181;
+            phi_380_ = _e181;
         }
-        let _e196 = phi_378_;
-        phi_380_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
+        let _e196 = phi_380_;
+        phi_382_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
     }
-    let _e199 = phi_380_;
+    let _e199 = phi_382_;
     let _e201 = (*param_4).flags;
     let _e204 = ((_e201 >> bitcast<u32>(6u)) & 3u);
     if (_e204 == 0u) {
         if (param_6 > -8388608f) {
             let _e217 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
             if (_e217 > param_6) {
-                phi_408_ = 1f;
+                phi_410_ = 1f;
             } else {
-                phi_408_ = 0f;
+                phi_410_ = 0f;
             }
-            let _e220 = phi_408_;
+            let _e220 = phi_410_;
             if (param_6 < 8388608f) {
-                phi_413_ = (_e217 - _e220);
-                phi_414_ = false;
+                phi_415_ = (_e217 - _e220);
+                phi_416_ = false;
             } else {
-                phi_413_ = f32();
-                phi_414_ = true;
+                phi_415_ = f32();
+                phi_416_ = true;
             }
-            let _e223 = phi_413_;
-            let _e225 = phi_414_;
-            phi_415_ = _e223;
-            phi_416_ = _e225;
+            let _e223 = phi_415_;
+            let _e225 = phi_416_;
+            phi_417_ = _e223;
+            phi_418_ = _e225;
         } else {
-            phi_415_ = f32();
-            phi_416_ = true;
+            phi_417_ = f32();
+            phi_418_ = true;
         }
-        let _e227 = phi_415_;
-        let _e229 = phi_416_;
+        let _e227 = phi_417_;
+        let _e229 = phi_418_;
         if _e229 {
-            phi_420_ = param_6;
+            phi_422_ = param_6;
         } else {
-            phi_420_ = _e227;
+            phi_422_ = _e227;
         }
-        let _e231 = phi_420_;
-        phi_468_ = (param_6 - _e231);
+        let _e231 = phi_422_;
+        phi_470_ = (param_6 - _e231);
     } else {
         if (_e204 == 1u) {
             let _e234 = (param_6 * 0.5f);
             if (_e234 > -8388608f) {
                 let _e246 = f32(select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < bitcast<f32>(3472883712u))), 2147483647i, (_e234 > bitcast<f32>(1325400063u))), (_e234 == _e234)));
                 if (_e246 > _e234) {
-                    phi_446_ = 1f;
+                    phi_448_ = 1f;
                 } else {
-                    phi_446_ = 0f;
+                    phi_448_ = 0f;
                 }
-                let _e249 = phi_446_;
+                let _e249 = phi_448_;
                 if (_e234 < 8388608f) {
-                    phi_451_ = (_e246 - _e249);
-                    phi_452_ = false;
+                    phi_453_ = (_e246 - _e249);
+                    phi_454_ = false;
                 } else {
-                    phi_451_ = f32();
-                    phi_452_ = true;
+                    phi_453_ = f32();
+                    phi_454_ = true;
                 }
-                let _e252 = phi_451_;
-                let _e254 = phi_452_;
-                phi_453_ = _e252;
-                phi_454_ = _e254;
+                let _e252 = phi_453_;
+                let _e254 = phi_454_;
+                phi_455_ = _e252;
+                phi_456_ = _e254;
             } else {
-                phi_453_ = f32();
-                phi_454_ = true;
+                phi_455_ = f32();
+                phi_456_ = true;
             }
-            let _e256 = phi_453_;
-            let _e258 = phi_454_;
+            let _e256 = phi_455_;
+            let _e258 = phi_456_;
             if _e258 {
-                phi_458_ = _e234;
+                phi_460_ = _e234;
             } else {
-                phi_458_ = _e256;
+                phi_460_ = _e256;
             }
-            let _e260 = phi_458_;
+            let _e260 = phi_460_;
             let _e262 = (param_6 - (2f * _e260));
             if (_e262 > 1f) {
-                phi_466_ = (2f - _e262);
+                phi_468_ = (2f - _e262);
             } else {
-                phi_466_ = _e262;
+                phi_468_ = _e262;
             }
-            let _e266 = phi_466_;
-            phi_467_ = _e266;
+            let _e266 = phi_468_;
+            phi_469_ = _e266;
         } else {
-            phi_467_ = param_6;
+            phi_469_ = param_6;
         }
-        let _e268 = phi_467_;
-        phi_468_ = _e268;
+        let _e268 = phi_469_;
+        phi_470_ = _e268;
     }
-    let _e270 = phi_468_;
+    let _e270 = phi_470_;
     if (_e270 > 0f) {
         if (_e270 < 1f) {
-            phi_477_ = _e270;
+            phi_479_ = _e270;
         } else {
-            phi_477_ = 1f;
+            phi_479_ = 1f;
         }
-        let _e274 = phi_477_;
-        phi_478_ = _e274;
+        let _e274 = phi_479_;
+        phi_480_ = _e274;
     } else {
-        phi_478_ = 0f;
+        phi_480_ = 0f;
     }
-    let _e276 = phi_478_;
+    let _e276 = phi_480_;
     let _e277 = (_e75 - 1u);
     let _e279 = (_e276 * f32(_e75));
     if _e79 {
         let _e286 = select(select(u32(_e279), 0u, (_e279 < bitcast<f32>(0u))), 4294967295u, (_e279 > bitcast<f32>(1333788671u)));
         if (_e277 < _e286) {
-            phi_496_ = _e277;
+            phi_498_ = _e277;
         } else {
-            phi_496_ = _e286;
+            phi_498_ = _e286;
         }
-        let _e289 = phi_496_;
-        phi_535_ = texture_Axis(_e289, _e289, 0f);
+        let _e289 = phi_498_;
+        phi_537_ = texture_Axis(_e289, _e289, 0f);
     } else {
         let _e291 = (_e279 + 0.5f);
         let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
         if (_e75 < _e298) {
-            phi_510_ = _e75;
+            phi_512_ = _e75;
         } else {
-            phi_510_ = _e298;
+            phi_512_ = _e298;
         }
-        let _e301 = phi_510_;
+        let _e301 = phi_512_;
         if (_e204 == 0u) {
-            phi_517_ = _e277;
+            phi_519_ = _e277;
         } else {
-            phi_517_ = 0u;
+            phi_519_ = 0u;
         }
-        let _e306 = phi_517_;
+        let _e306 = phi_519_;
         if (_e204 == 0u) {
-            phi_522_ = 0u;
+            phi_524_ = 0u;
         } else {
-            phi_522_ = _e277;
+            phi_524_ = _e277;
         }
-        let _e309 = phi_522_;
+        let _e309 = phi_524_;
         if (_e301 == 0u) {
-            phi_528_ = _e306;
+            phi_530_ = _e306;
         } else {
-            phi_528_ = (_e301 - 1u);
+            phi_530_ = (_e301 - 1u);
         }
-        let _e313 = phi_528_;
+        let _e313 = phi_530_;
         if (_e301 > _e277) {
-            phi_533_ = _e309;
+            phi_535_ = _e309;
         } else {
-            phi_533_ = _e301;
+            phi_535_ = _e301;
         }
-        let _e316 = phi_533_;
-        phi_535_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
+        let _e316 = phi_535_;
+        phi_537_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
     }
-    let _e319 = phi_535_;
+    let _e319 = phi_537_;
     let _e323 = (*param_4).offset;
     let _e330 = (*param_4).offset;
     let _e337 = (*param_4).offset;
@@ -554,13 +563,10 @@ fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureVi
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_672_: f32;
-    var phi_727_: bool;
-    var phi_728_: bool;
-    var phi_729_: bool;
-    var phi_733_: bool;
-    var phi_734_: bool;
-    var phi_735_: bool;
+    var phi_675_: f32;
+    var phi_730_: bool;
+    var phi_731_: bool;
+    var phi_732_: bool;
     var phi_736_: bool;
     var phi_737_: bool;
     var phi_738_: bool;
@@ -576,142 +582,142 @@ fn function_() {
     var phi_748_: bool;
     var phi_749_: bool;
     var phi_750_: bool;
-    var phi_754_: bool;
-    var phi_758_: bool;
-    var phi_828_: f32;
-    var phi_835_: f32;
-    var phi_842_: f32;
-    var phi_849_: f32;
-    var phi_856_: f32;
-    var phi_863_: f32;
-    var phi_880_: f32;
-    var phi_885_: f32;
-    var phi_890_: f32;
-    var phi_918_: bool;
-    var phi_919_: bool;
-    var phi_927_: u32;
-    var phi_928_: u32;
-    var phi_939_: vec3<f32>;
-    var phi_940_: vec3<f32>;
-    var phi_953_: u32;
-    var phi_958_: u32;
-    var phi_963_: u32;
-    var phi_1077_: bool;
-    var phi_1078_: bool;
-    var phi_1109_: u32;
-    var phi_1111_: u32;
-    var phi_1114_: bool;
-    var phi_1194_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1221_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1248_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1254_: u32;
+    var phi_751_: bool;
+    var phi_752_: bool;
+    var phi_753_: bool;
+    var phi_757_: bool;
+    var phi_761_: bool;
+    var phi_831_: f32;
+    var phi_838_: f32;
+    var phi_845_: f32;
+    var phi_852_: f32;
+    var phi_859_: f32;
+    var phi_866_: f32;
+    var phi_883_: f32;
+    var phi_888_: f32;
+    var phi_893_: f32;
+    var phi_921_: bool;
+    var phi_922_: bool;
+    var phi_930_: u32;
+    var phi_931_: u32;
+    var phi_942_: vec3<f32>;
+    var phi_943_: vec3<f32>;
+    var phi_956_: u32;
+    var phi_961_: u32;
+    var phi_966_: u32;
+    var phi_1080_: bool;
+    var phi_1081_: bool;
+    var phi_1112_: u32;
+    var phi_1114_: u32;
+    var phi_1117_: bool;
+    var phi_1197_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1224_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1251_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1257_: u32;
-    var phi_1271_: u32;
-    var phi_1281_: u32;
-    var phi_1291_: u32;
-    var phi_1309_: u32;
-    var phi_1319_: u32;
-    var phi_1329_: u32;
-    var phi_1365_: u32;
-    var phi_1378_: u32;
-    var phi_1383_: u32;
-    var phi_1384_: u32;
-    var phi_1385_: u32;
-    var phi_1255_: u32;
+    var phi_1260_: u32;
+    var phi_1274_: u32;
+    var phi_1284_: u32;
+    var phi_1294_: u32;
+    var phi_1312_: u32;
+    var phi_1322_: u32;
+    var phi_1332_: u32;
+    var phi_1368_: u32;
+    var phi_1381_: u32;
+    var phi_1386_: u32;
+    var phi_1387_: u32;
+    var phi_1388_: u32;
     var phi_1258_: u32;
+    var phi_1261_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1443_: u32;
-    var phi_1446_: bool;
-    var phi_1490_: vec3<f32>;
-    var phi_1491_: vec3<f32>;
-    var phi_1520_: vec3<f32>;
-    var phi_1521_: vec3<f32>;
-    var phi_1550_: vec3<f32>;
-    var phi_1551_: vec3<f32>;
-    var phi_1569_: bool;
-    var phi_1570_: bool;
-    var phi_1574_: f32;
-    var phi_1575_: f32;
-    var phi_1576_: f32;
+    var phi_1446_: u32;
+    var phi_1449_: bool;
+    var phi_1493_: vec3<f32>;
+    var phi_1494_: vec3<f32>;
+    var phi_1523_: vec3<f32>;
+    var phi_1524_: vec3<f32>;
+    var phi_1553_: vec3<f32>;
+    var phi_1554_: vec3<f32>;
+    var phi_1572_: bool;
+    var phi_1573_: bool;
     var phi_1577_: f32;
-    var phi_1585_: f32;
-    var phi_1595_: bool;
-    var phi_1596_: bool;
-    var phi_1600_: f32;
-    var phi_1601_: f32;
-    var phi_1602_: f32;
+    var phi_1578_: f32;
+    var phi_1579_: f32;
+    var phi_1580_: f32;
+    var phi_1588_: f32;
+    var phi_1598_: bool;
+    var phi_1599_: bool;
     var phi_1603_: f32;
-    var phi_1611_: f32;
-    var phi_1621_: bool;
-    var phi_1622_: bool;
-    var phi_1626_: f32;
-    var phi_1627_: f32;
-    var phi_1628_: f32;
+    var phi_1604_: f32;
+    var phi_1605_: f32;
+    var phi_1606_: f32;
+    var phi_1614_: f32;
+    var phi_1624_: bool;
+    var phi_1625_: bool;
     var phi_1629_: f32;
-    var phi_1637_: f32;
-    var phi_1652_: f32;
-    var phi_1653_: bool;
-    var phi_1654_: f32;
-    var phi_1655_: bool;
-    var phi_1656_: f32;
-    var phi_1657_: bool;
-    var phi_1675_: f32;
-    var phi_1676_: bool;
-    var phi_1677_: bool;
+    var phi_1630_: f32;
+    var phi_1631_: f32;
+    var phi_1632_: f32;
+    var phi_1640_: f32;
+    var phi_1655_: f32;
+    var phi_1656_: bool;
+    var phi_1657_: f32;
+    var phi_1658_: bool;
+    var phi_1659_: f32;
+    var phi_1660_: bool;
     var phi_1678_: f32;
     var phi_1679_: bool;
     var phi_1680_: bool;
-    var phi_1684_: bool;
-    var phi_1685_: f32;
-    var phi_1686_: bool;
-    var phi_1714_: vec3<f32>;
-    var phi_1715_: vec3<f32>;
-    var phi_1740_: vec3<f32>;
-    var phi_1741_: vec3<f32>;
-    var phi_1766_: vec3<f32>;
-    var phi_1767_: vec3<f32>;
-    var phi_1823_: f32;
-    var phi_1832_: f32;
-    var phi_1841_: f32;
-    var phi_1850_: f32;
-    var phi_1857_: f32;
-    var phi_1864_: f32;
-    var phi_1877_: f32;
-    var phi_1886_: f32;
-    var phi_1895_: f32;
-    var phi_1904_: f32;
-    var phi_1911_: f32;
-    var phi_1918_: f32;
-    var phi_1935_: f32;
-    var phi_1940_: f32;
-    var phi_1945_: f32;
-    var phi_1953_: f32;
-    var phi_1958_: f32;
-    var phi_1963_: f32;
-    var phi_1975_: f32;
-    var phi_1980_: f32;
-    var phi_1985_: f32;
-    var phi_1990_: f32;
-    var phi_1995_: lt_bvh_triangle_Intersection;
-    var phi_1996_: bool;
-    var phi_1997_: lt_bvh_triangle_Intersection;
-    var phi_1998_: bool;
-    var phi_2002_: lt_bvh_triangle_Intersection;
-    var phi_2003_: bool;
-    var phi_2004_: lt_bvh_triangle_Intersection;
-    var phi_2005_: bool;
+    var phi_1681_: f32;
+    var phi_1682_: bool;
+    var phi_1683_: bool;
+    var phi_1687_: bool;
+    var phi_1688_: f32;
+    var phi_1689_: bool;
+    var phi_1717_: vec3<f32>;
+    var phi_1718_: vec3<f32>;
+    var phi_1743_: vec3<f32>;
+    var phi_1744_: vec3<f32>;
+    var phi_1769_: vec3<f32>;
+    var phi_1770_: vec3<f32>;
+    var phi_1826_: f32;
+    var phi_1835_: f32;
+    var phi_1844_: f32;
+    var phi_1853_: f32;
+    var phi_1860_: f32;
+    var phi_1867_: f32;
+    var phi_1880_: f32;
+    var phi_1889_: f32;
+    var phi_1898_: f32;
+    var phi_1907_: f32;
+    var phi_1914_: f32;
+    var phi_1921_: f32;
+    var phi_1938_: f32;
+    var phi_1943_: f32;
+    var phi_1948_: f32;
+    var phi_1956_: f32;
+    var phi_1961_: f32;
+    var phi_1966_: f32;
+    var phi_1978_: f32;
+    var phi_1983_: f32;
+    var phi_1988_: f32;
+    var phi_1993_: f32;
+    var phi_1998_: lt_bvh_triangle_Intersection;
+    var phi_1999_: bool;
+    var phi_2000_: lt_bvh_triangle_Intersection;
+    var phi_2001_: bool;
+    var phi_2005_: lt_bvh_triangle_Intersection;
     var phi_2006_: bool;
-    var phi_2010_: bool;
-    var phi_2014_: lt_bvh_triangle_Intersection;
-    var phi_2228_: f32;
-    var phi_2231_: bool;
-    var phi_2232_: bool;
-    var phi_2233_: bool;
-    var phi_2237_: bool;
-    var phi_2238_: bool;
-    var phi_2239_: bool;
+    var phi_2007_: lt_bvh_triangle_Intersection;
+    var phi_2008_: bool;
+    var phi_2009_: bool;
+    var phi_2013_: bool;
+    var phi_2017_: lt_bvh_triangle_Intersection;
+    var phi_2231_: f32;
+    var phi_2234_: bool;
+    var phi_2235_: bool;
+    var phi_2236_: bool;
     var phi_2240_: bool;
     var phi_2241_: bool;
     var phi_2242_: bool;
@@ -719,28 +725,31 @@ fn function_() {
     var phi_2244_: bool;
     var phi_2245_: bool;
     var phi_2246_: bool;
-    var phi_1444_: u32;
-    var phi_1447_: bool;
-    var phi_2250_: bool;
-    var phi_2251_: bool;
+    var phi_2247_: bool;
+    var phi_2248_: bool;
+    var phi_2249_: bool;
+    var phi_1447_: u32;
+    var phi_1450_: bool;
+    var phi_2253_: bool;
+    var phi_2254_: bool;
     var local_5: bool;
-    var phi_2293_: bool;
-    var phi_2294_: bool;
-    var phi_2325_: u32;
-    var phi_2326_: u32;
-    var phi_1112_: u32;
-    var phi_1115_: bool;
-    var phi_2327_: bool;
-    var phi_2328_: bool;
-    var phi_2329_: bool;
+    var phi_2296_: bool;
+    var phi_2297_: bool;
+    var phi_2328_: u32;
+    var phi_2329_: u32;
+    var phi_1115_: u32;
+    var phi_1118_: bool;
+    var phi_2330_: bool;
+    var phi_2331_: bool;
+    var phi_2332_: bool;
     var local_6: bool;
-    var phi_2333_: bool;
-    var phi_2337_: bool;
-    var phi_2338_: bool;
-    var phi_2339_: bool;
+    var phi_2336_: bool;
     var phi_2340_: bool;
-    var phi_2344_: bool;
-    var phi_2348_: f32;
+    var phi_2341_: bool;
+    var phi_2342_: bool;
+    var phi_2343_: bool;
+    var phi_2347_: bool;
+    var phi_2351_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -770,1284 +779,1284 @@ fn function_() {
         } else {
             return;
         }
-        let _e111 = p.member.light;
-        let _e113 = samples.member[(0u + _e106)].position;
-        let _e115 = samples.member[(0u + _e106)].normal;
-        let _e117 = samples.member[(0u + _e106)].magnitude;
-        let _e119 = ((8f / 8388608f) * _e117);
-        let _e127 = (_e113.x + (_e115.x * _e119));
-        let _e129 = (_e113.y + (_e115.y * _e119));
-        let _e131 = (_e113.z + (_e115.z * _e119));
-        if (_e111.w == 0f) {
-            phi_672_ = 300000000000000000000000000000000000000f;
+        let _e112 = samples.member[(0u + _e106)].position;
+        let _e114 = samples.member[(0u + _e106)].normal;
+        let _e116 = samples.member[(0u + _e106)].magnitude;
+        let _e118 = ((8f / 8388608f) * _e116);
+        let _e126 = (_e112.x + (_e114.x * _e118));
+        let _e128 = (_e112.y + (_e114.y * _e118));
+        let _e130 = (_e112.z + (_e114.z * _e118));
+        let _e132 = p.member.light.place;
+        if (_e132.w == 0f) {
+            phi_675_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_672_ = 1f;
+            phi_675_ = 1f;
         }
-        let _e135 = phi_672_;
-        let _e143 = (_e111.x - (_e127 * _e111.w));
-        let _e144 = (_e111.y - (_e129 * _e111.w));
-        let _e145 = (_e111.z - (_e131 * _e111.w));
-        let _e150 = abs(_e143);
+        let _e136 = phi_675_;
+        let _e144 = (_e132.x - (_e126 * _e132.w));
+        let _e145 = (_e132.y - (_e128 * _e132.w));
+        let _e146 = (_e132.z - (_e130 * _e132.w));
         let _e151 = abs(_e144);
         let _e152 = abs(_e145);
-        if (abs(_e127) < 1000000000000000f) {
-            if (abs(_e129) < 1000000000000000f) {
-                if (abs(_e131) < 1000000000000000f) {
-                    if (_e150 < 1000000000000000f) {
-                        if (_e151 < 1000000000000000f) {
-                            if (_e152 < 1000000000000000f) {
-                                if (_e150 > 0f) {
-                                    phi_728_ = bool();
-                                    phi_729_ = true;
+        let _e153 = abs(_e146);
+        if (abs(_e126) < 1000000000000000f) {
+            if (abs(_e128) < 1000000000000000f) {
+                if (abs(_e130) < 1000000000000000f) {
+                    if (_e151 < 1000000000000000f) {
+                        if (_e152 < 1000000000000000f) {
+                            if (_e153 < 1000000000000000f) {
+                                if (_e151 > 0f) {
+                                    phi_731_ = bool();
+                                    phi_732_ = true;
                                 } else {
-                                    let _e160 = (_e151 > 0f);
-                                    if _e160 {
-                                        phi_727_ = bool();
+                                    let _e161 = (_e152 > 0f);
+                                    if _e161 {
+                                        phi_730_ = bool();
                                     } else {
-                                        phi_727_ = (_e152 > 0f);
+                                        phi_730_ = (_e153 > 0f);
                                     }
-                                    let _e163 = phi_727_;
-                                    phi_728_ = _e163;
-                                    phi_729_ = _e160;
+                                    let _e164 = phi_730_;
+                                    phi_731_ = _e164;
+                                    phi_732_ = _e161;
                                 }
-                                let _e165 = phi_728_;
-                                let _e167 = phi_729_;
-                                if _e167 {
-                                    phi_733_ = true;
+                                let _e166 = phi_731_;
+                                let _e168 = phi_732_;
+                                if _e168 {
+                                    phi_736_ = true;
                                 } else {
-                                    phi_733_ = _e165;
+                                    phi_736_ = _e166;
                                 }
-                                let _e169 = phi_733_;
-                                phi_734_ = _e169;
-                                phi_735_ = false;
+                                let _e170 = phi_736_;
+                                phi_737_ = _e170;
+                                phi_738_ = false;
                             } else {
-                                phi_734_ = bool();
-                                phi_735_ = true;
+                                phi_737_ = bool();
+                                phi_738_ = true;
                             }
-                            let _e171 = phi_734_;
-                            let _e173 = phi_735_;
-                            phi_736_ = _e171;
-                            phi_737_ = false;
-                            phi_738_ = _e173;
+                            let _e172 = phi_737_;
+                            let _e174 = phi_738_;
+                            phi_739_ = _e172;
+                            phi_740_ = false;
+                            phi_741_ = _e174;
                         } else {
-                            phi_736_ = bool();
-                            phi_737_ = true;
-                            phi_738_ = false;
+                            phi_739_ = bool();
+                            phi_740_ = true;
+                            phi_741_ = false;
                         }
-                        let _e175 = phi_736_;
-                        let _e177 = phi_737_;
-                        let _e179 = phi_738_;
-                        phi_739_ = _e175;
-                        phi_740_ = _e177;
-                        phi_741_ = _e179;
+                        let _e176 = phi_739_;
+                        let _e178 = phi_740_;
+                        let _e180 = phi_741_;
+                        phi_742_ = _e176;
+                        phi_743_ = _e178;
+                        phi_744_ = _e180;
                     } else {
-                        phi_739_ = bool();
-                        phi_740_ = true;
-                        phi_741_ = false;
+                        phi_742_ = bool();
+                        phi_743_ = true;
+                        phi_744_ = false;
                     }
-                    let _e181 = phi_739_;
-                    let _e183 = phi_740_;
-                    let _e185 = phi_741_;
-                    phi_742_ = _e181;
-                    phi_743_ = _e183;
-                    phi_744_ = _e185;
+                    let _e182 = phi_742_;
+                    let _e184 = phi_743_;
+                    let _e186 = phi_744_;
+                    phi_745_ = _e182;
+                    phi_746_ = _e184;
+                    phi_747_ = _e186;
                 } else {
-                    phi_742_ = bool();
-                    phi_743_ = true;
-                    phi_744_ = false;
+                    phi_745_ = bool();
+                    phi_746_ = true;
+                    phi_747_ = false;
                 }
-                let _e187 = phi_742_;
-                let _e189 = phi_743_;
-                let _e191 = phi_744_;
-                phi_745_ = _e187;
-                phi_746_ = _e189;
-                phi_747_ = _e191;
+                let _e188 = phi_745_;
+                let _e190 = phi_746_;
+                let _e192 = phi_747_;
+                phi_748_ = _e188;
+                phi_749_ = _e190;
+                phi_750_ = _e192;
             } else {
-                phi_745_ = bool();
-                phi_746_ = true;
-                phi_747_ = false;
+                phi_748_ = bool();
+                phi_749_ = true;
+                phi_750_ = false;
             }
-            let _e193 = phi_745_;
-            let _e195 = phi_746_;
-            let _e197 = phi_747_;
-            phi_748_ = _e193;
-            phi_749_ = _e195;
-            phi_750_ = _e197;
+            let _e194 = phi_748_;
+            let _e196 = phi_749_;
+            let _e198 = phi_750_;
+            phi_751_ = _e194;
+            phi_752_ = _e196;
+            phi_753_ = _e198;
         } else {
-            phi_748_ = bool();
-            phi_749_ = true;
-            phi_750_ = false;
+            phi_751_ = bool();
+            phi_752_ = true;
+            phi_753_ = false;
         }
-        let _e199 = phi_748_;
-        let _e201 = phi_749_;
-        let _e203 = phi_750_;
-        if _e201 {
-            phi_754_ = true;
+        let _e200 = phi_751_;
+        let _e202 = phi_752_;
+        let _e204 = phi_753_;
+        if _e202 {
+            phi_757_ = true;
         } else {
-            phi_754_ = _e203;
+            phi_757_ = _e204;
         }
-        let _e205 = phi_754_;
-        if _e205 {
-            phi_758_ = false;
+        let _e206 = phi_757_;
+        if _e206 {
+            phi_761_ = false;
         } else {
-            phi_758_ = _e199;
+            phi_761_ = _e200;
         }
-        let _e207 = phi_758_;
-        if _e207 {
-            let _e208 = (0u >= _e75);
-            if _e208 {
-                phi_2338_ = bool();
+        let _e208 = phi_761_;
+        if _e208 {
+            let _e209 = (0u >= _e75);
+            if _e209 {
+                phi_2341_ = bool();
             } else {
                 if (0u < _e75) {
                 } else {
                     return;
                 }
-                let _e214 = nodes.member[(0u + 0u)].frame[0u];
-                let _e218 = nodes.member[(0u + 0u)].frame[1u];
-                let _e222 = nodes.member[(0u + 0u)].frame[2u];
-                let _e226 = nodes.member[(0u + 0u)].frame[0u];
-                let _e230 = nodes.member[(0u + 0u)].frame[1u];
-                let _e234 = nodes.member[(0u + 0u)].frame[2u];
-                let _e238 = nodes.member[(0u + 0u)].frame[3u];
-                let _e272 = core_intrinsics_maximum_number_nsz_f32_(abs(_e143), abs(_e144));
-                let _e273 = core_intrinsics_maximum_number_nsz_f32_(_e272, abs(_e145));
-                let _e274 = (_e273 * 0.0000000000009094947f);
-                if (abs(_e143) < _e274) {
-                    phi_828_ = _e274;
+                let _e215 = nodes.member[(0u + 0u)].frame[0u];
+                let _e219 = nodes.member[(0u + 0u)].frame[1u];
+                let _e223 = nodes.member[(0u + 0u)].frame[2u];
+                let _e227 = nodes.member[(0u + 0u)].frame[0u];
+                let _e231 = nodes.member[(0u + 0u)].frame[1u];
+                let _e235 = nodes.member[(0u + 0u)].frame[2u];
+                let _e239 = nodes.member[(0u + 0u)].frame[3u];
+                let _e273 = core_intrinsics_maximum_number_nsz_f32_(abs(_e144), abs(_e145));
+                let _e274 = core_intrinsics_maximum_number_nsz_f32_(_e273, abs(_e146));
+                let _e275 = (_e274 * 0.0000000000009094947f);
+                if (abs(_e144) < _e275) {
+                    phi_831_ = _e275;
                 } else {
-                    phi_828_ = abs(_e143);
+                    phi_831_ = abs(_e144);
                 }
-                let _e279 = phi_828_;
-                if (_e143 < 0f) {
-                    phi_835_ = (-1f / _e279);
-                } else {
-                    phi_835_ = (1f / _e279);
-                }
-                let _e284 = phi_835_;
-                if (abs(_e144) < _e274) {
-                    phi_842_ = _e274;
-                } else {
-                    phi_842_ = abs(_e144);
-                }
-                let _e289 = phi_842_;
+                let _e280 = phi_831_;
                 if (_e144 < 0f) {
-                    phi_849_ = (-1f / _e289);
+                    phi_838_ = (-1f / _e280);
                 } else {
-                    phi_849_ = (1f / _e289);
+                    phi_838_ = (1f / _e280);
                 }
-                let _e294 = phi_849_;
-                if (abs(_e145) < _e274) {
-                    phi_856_ = _e274;
+                let _e285 = phi_838_;
+                if (abs(_e145) < _e275) {
+                    phi_845_ = _e275;
                 } else {
-                    phi_856_ = abs(_e145);
+                    phi_845_ = abs(_e145);
                 }
-                let _e299 = phi_856_;
+                let _e290 = phi_845_;
                 if (_e145 < 0f) {
-                    phi_863_ = (-1f / _e299);
+                    phi_852_ = (-1f / _e290);
                 } else {
-                    phi_863_ = (1f / _e299);
+                    phi_852_ = (1f / _e290);
                 }
-                let _e304 = phi_863_;
-                let _e308 = abs((bitcast<f32>(_e214) - _e127));
-                let _e309 = abs((bitcast<f32>(_e218) - _e129));
-                let _e310 = abs((bitcast<f32>(_e222) - _e131));
-                let _e314 = abs(((bitcast<f32>(_e226) + (bitcast<f32>((((_e238 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e127));
-                let _e315 = abs(((bitcast<f32>(_e230) + (bitcast<f32>((((_e238 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e129));
-                let _e316 = abs(((bitcast<f32>(_e234) + (bitcast<f32>((((_e238 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e131));
-                if (_e308 > _e314) {
-                    phi_880_ = _e308;
+                let _e295 = phi_852_;
+                if (abs(_e146) < _e275) {
+                    phi_859_ = _e275;
                 } else {
-                    phi_880_ = _e314;
+                    phi_859_ = abs(_e146);
                 }
-                let _e319 = phi_880_;
+                let _e300 = phi_859_;
+                if (_e146 < 0f) {
+                    phi_866_ = (-1f / _e300);
+                } else {
+                    phi_866_ = (1f / _e300);
+                }
+                let _e305 = phi_866_;
+                let _e309 = abs((bitcast<f32>(_e215) - _e126));
+                let _e310 = abs((bitcast<f32>(_e219) - _e128));
+                let _e311 = abs((bitcast<f32>(_e223) - _e130));
+                let _e315 = abs(((bitcast<f32>(_e227) + (bitcast<f32>((((_e239 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126));
+                let _e316 = abs(((bitcast<f32>(_e231) + (bitcast<f32>((((_e239 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
+                let _e317 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e239 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
                 if (_e309 > _e315) {
-                    phi_885_ = _e309;
+                    phi_883_ = _e309;
                 } else {
-                    phi_885_ = _e315;
+                    phi_883_ = _e315;
                 }
-                let _e322 = phi_885_;
+                let _e320 = phi_883_;
                 if (_e310 > _e316) {
-                    phi_890_ = _e310;
+                    phi_888_ = _e310;
                 } else {
-                    phi_890_ = _e316;
+                    phi_888_ = _e316;
                 }
-                let _e325 = phi_890_;
-                let _e326 = core_intrinsics_maximum_number_nsz_f32_(_e319, _e322);
-                let _e327 = core_intrinsics_maximum_number_nsz_f32_(_e326, _e325);
-                let _e331 = (_e327 * 0.0000019073486f);
-                let _e332 = (abs(_e284) * _e331);
-                let _e333 = (abs(_e294) * _e331);
-                let _e334 = (abs(_e304) * _e331);
-                let _e338 = (_e327 * 0.0000009536743f);
-                let _e339 = (abs(_e284) * _e338);
-                let _e340 = (abs(_e294) * _e338);
-                let _e341 = (abs(_e304) * _e338);
-                let _e342 = abs(_e143);
+                let _e323 = phi_888_;
+                if (_e311 > _e317) {
+                    phi_893_ = _e311;
+                } else {
+                    phi_893_ = _e317;
+                }
+                let _e326 = phi_893_;
+                let _e327 = core_intrinsics_maximum_number_nsz_f32_(_e320, _e323);
+                let _e328 = core_intrinsics_maximum_number_nsz_f32_(_e327, _e326);
+                let _e332 = (_e328 * 0.0000019073486f);
+                let _e333 = (abs(_e285) * _e332);
+                let _e334 = (abs(_e295) * _e332);
+                let _e335 = (abs(_e305) * _e332);
+                let _e339 = (_e328 * 0.0000009536743f);
+                let _e340 = (abs(_e285) * _e339);
+                let _e341 = (abs(_e295) * _e339);
+                let _e342 = (abs(_e305) * _e339);
                 let _e343 = abs(_e144);
                 let _e344 = abs(_e145);
-                if (_e342 >= _e343) {
-                    if (_e342 >= _e344) {
-                        phi_918_ = false;
+                let _e345 = abs(_e146);
+                if (_e343 >= _e344) {
+                    if (_e343 >= _e345) {
+                        phi_921_ = false;
                     } else {
-                        phi_918_ = true;
+                        phi_921_ = true;
                     }
-                    let _e348 = phi_918_;
-                    phi_919_ = _e348;
+                    let _e349 = phi_921_;
+                    phi_922_ = _e349;
                 } else {
-                    phi_919_ = true;
+                    phi_922_ = true;
                 }
-                let _e350 = phi_919_;
-                if _e350 {
-                    if (_e343 >= _e344) {
-                        phi_927_ = 1u;
+                let _e351 = phi_922_;
+                if _e351 {
+                    if (_e344 >= _e345) {
+                        phi_930_ = 1u;
                     } else {
-                        phi_927_ = 2u;
+                        phi_930_ = 2u;
                     }
-                    let _e353 = phi_927_;
-                    phi_928_ = _e353;
+                    let _e354 = phi_930_;
+                    phi_931_ = _e354;
                 } else {
-                    phi_928_ = 0u;
+                    phi_931_ = 0u;
                 }
-                let _e355 = phi_928_;
-                if (_e355 == 0u) {
-                    phi_940_ = vec3<f32>(_e144, _e145, _e143);
+                let _e356 = phi_931_;
+                if (_e356 == 0u) {
+                    phi_943_ = vec3<f32>(_e145, _e146, _e144);
                 } else {
-                    if (_e355 == 1u) {
-                        phi_939_ = vec3<f32>(_e145, _e143, _e144);
+                    if (_e356 == 1u) {
+                        phi_942_ = vec3<f32>(_e146, _e144, _e145);
                     } else {
-                        phi_939_ = vec3<f32>(_e143, _e144, _e145);
+                        phi_942_ = vec3<f32>(_e144, _e145, _e146);
                     }
-                    let _e361 = phi_939_;
-                    phi_940_ = _e361;
+                    let _e362 = phi_942_;
+                    phi_943_ = _e362;
                 }
-                let _e363 = phi_940_;
-                let _e366 = (_e363.x / _e363.z);
-                let _e369 = (_e363.y / _e363.z);
-                if (_e284 < 0f) {
-                    phi_953_ = 0u;
+                let _e364 = phi_943_;
+                let _e367 = (_e364.x / _e364.z);
+                let _e370 = (_e364.y / _e364.z);
+                if (_e285 < 0f) {
+                    phi_956_ = 0u;
                 } else {
-                    phi_953_ = 1u;
+                    phi_956_ = 1u;
                 }
-                let _e374 = phi_953_;
-                if (_e294 < 0f) {
-                    phi_958_ = 0u;
+                let _e375 = phi_956_;
+                if (_e295 < 0f) {
+                    phi_961_ = 0u;
                 } else {
-                    phi_958_ = 2u;
+                    phi_961_ = 2u;
                 }
-                let _e377 = phi_958_;
-                if (_e304 < 0f) {
-                    phi_963_ = 0u;
+                let _e378 = phi_961_;
+                if (_e305 < 0f) {
+                    phi_966_ = 0u;
                 } else {
-                    phi_963_ = 4u;
+                    phi_966_ = 4u;
                 }
-                let _e380 = phi_963_;
-                let _e382 = ((_e374 | _e377) | _e380);
-                let _e383 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e383.first[0], _e383.first[1], _e383.first[2], _e383.first[3], _e383.first[4], _e383.first[5], _e383.first[6], _e383.first[7], _e383.first[8], _e383.first[9], _e383.first[10], _e383.first[11], _e383.first[12], _e383.first[13], _e383.first[14], _e383.first[15], _e383.first[16], _e383.first[17], _e383.first[18], _e383.first[19], _e383.first[20], _e383.first[21], _e383.first[22], _e383.first[23], _e383.first[24], _e383.first[25], _e383.first[26], _e383.first[27], _e383.first[28], _e383.first[29], _e383.first[30], _e383.first[31]), array<u32, 32>(_e383.mask[0], _e383.mask[1], _e383.mask[2], _e383.mask[3], _e383.mask[4], _e383.mask[5], _e383.mask[6], _e383.mask[7], _e383.mask[8], _e383.mask[9], _e383.mask[10], _e383.mask[11], _e383.mask[12], _e383.mask[13], _e383.mask[14], _e383.mask[15], _e383.mask[16], _e383.mask[17], _e383.mask[18], _e383.mask[19], _e383.mask[20], _e383.mask[21], _e383.mask[22], _e383.mask[23], _e383.mask[24], _e383.mask[25], _e383.mask[26], _e383.mask[27], _e383.mask[28], _e383.mask[29], _e383.mask[30], _e383.mask[31]), _e383.len, _e383.group, _e383.group_mask);
-                let _e457 = local_1.group_mask;
-                if ((_e457 & 4278190080u) == 0u) {
-                    let _e461 = local_1.len;
-                    if (_e461 == 0u) {
-                        phi_1077_ = false;
+                let _e381 = phi_966_;
+                let _e383 = ((_e375 | _e378) | _e381);
+                let _e384 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e384.first[0], _e384.first[1], _e384.first[2], _e384.first[3], _e384.first[4], _e384.first[5], _e384.first[6], _e384.first[7], _e384.first[8], _e384.first[9], _e384.first[10], _e384.first[11], _e384.first[12], _e384.first[13], _e384.first[14], _e384.first[15], _e384.first[16], _e384.first[17], _e384.first[18], _e384.first[19], _e384.first[20], _e384.first[21], _e384.first[22], _e384.first[23], _e384.first[24], _e384.first[25], _e384.first[26], _e384.first[27], _e384.first[28], _e384.first[29], _e384.first[30], _e384.first[31]), array<u32, 32>(_e384.mask[0], _e384.mask[1], _e384.mask[2], _e384.mask[3], _e384.mask[4], _e384.mask[5], _e384.mask[6], _e384.mask[7], _e384.mask[8], _e384.mask[9], _e384.mask[10], _e384.mask[11], _e384.mask[12], _e384.mask[13], _e384.mask[14], _e384.mask[15], _e384.mask[16], _e384.mask[17], _e384.mask[18], _e384.mask[19], _e384.mask[20], _e384.mask[21], _e384.mask[22], _e384.mask[23], _e384.mask[24], _e384.mask[25], _e384.mask[26], _e384.mask[27], _e384.mask[28], _e384.mask[29], _e384.mask[30], _e384.mask[31]), _e384.len, _e384.group, _e384.group_mask);
+                let _e458 = local_1.group_mask;
+                if ((_e458 & 4278190080u) == 0u) {
+                    let _e462 = local_1.len;
+                    if (_e462 == 0u) {
+                        phi_1080_ = false;
                     } else {
-                        let _e465 = local_1.len;
-                        local_1.len = (_e465 - 1u);
-                        let _e468 = local_1.len;
-                        if (_e468 < 32u) {
+                        let _e466 = local_1.len;
+                        local_1.len = (_e466 - 1u);
+                        let _e469 = local_1.len;
+                        if (_e469 < 32u) {
                         } else {
                             return;
                         }
-                        let _e473 = local_1.first[(0u + _e468)];
-                        local_1.group = _e473;
-                        let _e476 = local_1.len;
-                        if (_e476 < 32u) {
+                        let _e474 = local_1.first[(0u + _e469)];
+                        local_1.group = _e474;
+                        let _e477 = local_1.len;
+                        if (_e477 < 32u) {
                         } else {
                             return;
                         }
-                        let _e481 = local_1.mask[(0u + _e476)];
-                        local_1.group_mask = _e481;
-                        phi_1077_ = true;
+                        let _e482 = local_1.mask[(0u + _e477)];
+                        local_1.group_mask = _e482;
+                        phi_1080_ = true;
                     }
-                    let _e484 = phi_1077_;
-                    phi_1078_ = _e484;
+                    let _e485 = phi_1080_;
+                    phi_1081_ = _e485;
                 } else {
-                    phi_1078_ = true;
+                    phi_1081_ = true;
                 }
-                let _e486 = phi_1078_;
-                if _e486 {
-                    let _e488 = local_1.group_mask;
-                    let _e494 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e488)), 32u, (_e488 == 0u)));
-                    let _e498 = local_1.group_mask;
-                    let _e512 = local_1.group_mask;
-                    local_1.group_mask = (_e512 & ~((1u << bitcast<u32>((_e494 & 31u)))));
-                    let _e515 = local_1.group;
-                    phi_1109_ = (_e515 + countOneBits(((_e498 & ~((4294967295u << bitcast<u32>((((_e494 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e487 = phi_1081_;
+                if _e487 {
+                    let _e489 = local_1.group_mask;
+                    let _e495 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e489)), 32u, (_e489 == 0u)));
+                    let _e499 = local_1.group_mask;
+                    let _e513 = local_1.group_mask;
+                    local_1.group_mask = (_e513 & ~((1u << bitcast<u32>((_e495 & 31u)))));
+                    let _e516 = local_1.group;
+                    phi_1112_ = (_e516 + countOneBits(((_e499 & ~((4294967295u << bitcast<u32>((((_e495 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1109_ = 4294967295u;
+                    phi_1112_ = 4294967295u;
                 }
-                let _e518 = phi_1109_;
-                phi_1111_ = _e518;
-                phi_1114_ = false;
+                let _e519 = phi_1112_;
+                phi_1114_ = _e519;
+                phi_1117_ = false;
                 loop {
-                    let _e520 = phi_1111_;
-                    let _e522 = phi_1114_;
-                    local_11 = _e522;
-                    if (_e520 != 4294967295u) {
-                        if (_e520 < _e75) {
+                    let _e521 = phi_1114_;
+                    let _e523 = phi_1117_;
+                    local_11 = _e523;
+                    if (_e521 != 4294967295u) {
+                        if (_e521 < _e75) {
                         } else {
                             return;
                         }
-                        let _e529 = nodes.member[(0u + _e520)].frame[3u];
-                        let _e554 = (bitcast<f32>((((_e529 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e284);
-                        let _e555 = (bitcast<f32>((((_e529 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e294);
-                        let _e556 = (bitcast<f32>((((_e529 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
-                        let _e559 = nodes.member[(0u + _e520)].frame[0u];
-                        let _e563 = nodes.member[(0u + _e520)].frame[1u];
-                        let _e567 = nodes.member[(0u + _e520)].frame[2u];
-                        let _e572 = ((bitcast<f32>(_e559) - _e127) * _e284);
-                        let _e573 = ((bitcast<f32>(_e563) - _e129) * _e294);
-                        let _e574 = ((bitcast<f32>(_e567) - _e131) * _e304);
-                        let _e582 = nodes.member[(0u + _e520)].x;
-                        if (_e284 < 0f) {
-                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e582.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.unnamed.root, _e582.w), _e593.unnamed_1);
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_bvh_traverse_Tree(_e582.x, _e599.unnamed_1.first_primitive));
-                            phi_1194_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e605.unnamed_1.root, _e582.y));
+                        let _e530 = nodes.member[(0u + _e521)].frame[3u];
+                        let _e555 = (bitcast<f32>((((_e530 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e285);
+                        let _e556 = (bitcast<f32>((((_e530 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e295);
+                        let _e557 = (bitcast<f32>((((_e530 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e305);
+                        let _e560 = nodes.member[(0u + _e521)].frame[0u];
+                        let _e564 = nodes.member[(0u + _e521)].frame[1u];
+                        let _e568 = nodes.member[(0u + _e521)].frame[2u];
+                        let _e573 = ((bitcast<f32>(_e560) - _e126) * _e285);
+                        let _e574 = ((bitcast<f32>(_e564) - _e128) * _e295);
+                        let _e575 = ((bitcast<f32>(_e568) - _e130) * _e305);
+                        let _e583 = nodes.member[(0u + _e521)].x;
+                        if (_e285 < 0f) {
+                            let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e583.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.unnamed.root, _e583.w), _e594.unnamed_1);
+                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_bvh_traverse_Tree(_e583.x, _e600.unnamed_1.first_primitive));
+                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e583.y));
                         } else {
-                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e582.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e621.unnamed.root, _e582.y), _e621.unnamed_1);
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_bvh_traverse_Tree(_e582.z, _e627.unnamed_1.first_primitive));
-                            phi_1194_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_bvh_traverse_Tree(_e633.unnamed_1.root, _e582.w));
+                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e583.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e622.unnamed.root, _e583.y), _e622.unnamed_1);
+                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_bvh_traverse_Tree(_e583.z, _e628.unnamed_1.first_primitive));
+                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e634.unnamed, lt_bvh_traverse_Tree(_e634.unnamed_1.root, _e583.w));
                         }
-                        let _e641 = phi_1194_;
-                        let _e651 = nodes.member[(0u + _e520)].y;
-                        if (_e294 < 0f) {
-                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e651.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.unnamed.root, _e651.w), _e662.unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e651.x, _e668.unnamed_1.first_primitive));
-                            phi_1221_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e674.unnamed_1.root, _e651.y));
+                        let _e642 = phi_1197_;
+                        let _e652 = nodes.member[(0u + _e521)].y;
+                        if (_e295 < 0f) {
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e652.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.unnamed.root, _e652.w), _e663.unnamed_1);
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e652.x, _e669.unnamed_1.first_primitive));
+                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e652.y));
                         } else {
-                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e651.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.unnamed.root, _e651.y), _e690.unnamed_1);
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_bvh_traverse_Tree(_e651.z, _e696.unnamed_1.first_primitive));
-                            phi_1221_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_bvh_traverse_Tree(_e702.unnamed_1.root, _e651.w));
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e652.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e691.unnamed.root, _e652.y), _e691.unnamed_1);
+                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e652.z, _e697.unnamed_1.first_primitive));
+                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_bvh_traverse_Tree(_e703.unnamed_1.root, _e652.w));
                         }
-                        let _e710 = phi_1221_;
-                        let _e720 = nodes.member[(0u + _e520)].z;
-                        if (_e304 < 0f) {
-                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.unnamed.root, _e720.w), _e731.unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e720.x, _e737.unnamed_1.first_primitive));
-                            phi_1248_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e743.unnamed_1.root, _e720.y));
+                        let _e711 = phi_1224_;
+                        let _e721 = nodes.member[(0u + _e521)].z;
+                        if (_e305 < 0f) {
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e721.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.unnamed.root, _e721.w), _e732.unnamed_1);
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e721.x, _e738.unnamed_1.first_primitive));
+                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e721.y));
                         } else {
-                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.unnamed.root, _e720.y), _e759.unnamed_1);
-                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_bvh_traverse_Tree(_e720.z, _e765.unnamed_1.first_primitive));
-                            phi_1248_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_bvh_traverse_Tree(_e771.unnamed_1.root, _e720.w));
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e721.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e760.unnamed.root, _e721.y), _e760.unnamed_1);
+                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e721.z, _e766.unnamed_1.first_primitive));
+                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_bvh_traverse_Tree(_e772.unnamed_1.root, _e721.w));
                         }
-                        let _e779 = phi_1248_;
-                        phi_1254_ = 0u;
+                        let _e780 = phi_1251_;
                         phi_1257_ = 0u;
+                        phi_1260_ = 0u;
                         loop {
-                            let _e789 = phi_1254_;
-                            let _e791 = phi_1257_;
-                            local_2 = _e791;
-                            local_3 = _e791;
-                            local_4 = _e791;
-                            let _e792 = (_e789 < 8u);
-                            if _e792 {
-                                let _e794 = (_e789 >> bitcast<u32>(2i));
-                                let _e795 = (_e789 & 3u);
-                                if (_e794 == 0u) {
-                                    phi_1271_ = _e641.unnamed.root;
+                            let _e790 = phi_1257_;
+                            let _e792 = phi_1260_;
+                            local_2 = _e792;
+                            local_3 = _e792;
+                            local_4 = _e792;
+                            let _e793 = (_e790 < 8u);
+                            if _e793 {
+                                let _e795 = (_e790 >> bitcast<u32>(2i));
+                                let _e796 = (_e790 & 3u);
+                                if (_e795 == 0u) {
+                                    phi_1274_ = _e642.unnamed.root;
                                 } else {
-                                    phi_1271_ = _e641.unnamed.first_primitive;
+                                    phi_1274_ = _e642.unnamed.first_primitive;
                                 }
-                                let _e798 = phi_1271_;
-                                if (_e794 == 0u) {
-                                    phi_1281_ = _e710.unnamed.root;
+                                let _e799 = phi_1274_;
+                                if (_e795 == 0u) {
+                                    phi_1284_ = _e711.unnamed.root;
                                 } else {
-                                    phi_1281_ = _e710.unnamed.first_primitive;
+                                    phi_1284_ = _e711.unnamed.first_primitive;
                                 }
-                                let _e807 = phi_1281_;
-                                if (_e794 == 0u) {
-                                    phi_1291_ = _e779.unnamed.root;
+                                let _e808 = phi_1284_;
+                                if (_e795 == 0u) {
+                                    phi_1294_ = _e780.unnamed.root;
                                 } else {
-                                    phi_1291_ = _e779.unnamed.first_primitive;
+                                    phi_1294_ = _e780.unnamed.first_primitive;
                                 }
-                                let _e816 = phi_1291_;
-                                let _e829 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e798 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e554) + (_e572 - _e332)), ((f32(((_e807 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e555) + (_e573 - _e333)));
-                                let _e830 = core_intrinsics_maximum_number_nsz_f32_(_e829, ((f32(((_e816 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e556) + (_e574 - _e334)));
-                                if (_e794 == 0u) {
-                                    phi_1309_ = _e641.unnamed_1.root;
+                                let _e817 = phi_1294_;
+                                let _e830 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e799 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e555) + (_e573 - _e333)), ((f32(((_e808 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e556) + (_e574 - _e334)));
+                                let _e831 = core_intrinsics_maximum_number_nsz_f32_(_e830, ((f32(((_e817 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e557) + (_e575 - _e335)));
+                                if (_e795 == 0u) {
+                                    phi_1312_ = _e642.unnamed_1.root;
                                 } else {
-                                    phi_1309_ = _e641.unnamed_1.first_primitive;
+                                    phi_1312_ = _e642.unnamed_1.first_primitive;
                                 }
-                                let _e833 = phi_1309_;
-                                if (_e794 == 0u) {
-                                    phi_1319_ = _e710.unnamed_1.root;
+                                let _e834 = phi_1312_;
+                                if (_e795 == 0u) {
+                                    phi_1322_ = _e711.unnamed_1.root;
                                 } else {
-                                    phi_1319_ = _e710.unnamed_1.first_primitive;
+                                    phi_1322_ = _e711.unnamed_1.first_primitive;
                                 }
-                                let _e842 = phi_1319_;
-                                if (_e794 == 0u) {
-                                    phi_1329_ = _e779.unnamed_1.root;
+                                let _e843 = phi_1322_;
+                                if (_e795 == 0u) {
+                                    phi_1332_ = _e780.unnamed_1.root;
                                 } else {
-                                    phi_1329_ = _e779.unnamed_1.first_primitive;
+                                    phi_1332_ = _e780.unnamed_1.first_primitive;
                                 }
-                                let _e851 = phi_1329_;
-                                let _e864 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e833 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e554) + (_e572 + _e332)), ((f32(((_e842 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e555) + (_e573 + _e333)));
-                                let _e865 = core_intrinsics_minimum_number_nsz_f32_(_e864, ((f32(((_e851 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e556) + (_e574 + _e334)));
-                                if (_e830 <= _e865) {
-                                    if (_e830 <= _e135) {
-                                        if (_e865 >= 0f) {
-                                            if (_e794 == 0u) {
-                                                let _e872 = nodes.member[(0u + _e520)].links[2u];
-                                                phi_1365_ = _e872;
+                                let _e852 = phi_1332_;
+                                let _e865 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e834 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e555) + (_e573 + _e333)), ((f32(((_e843 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e556) + (_e574 + _e334)));
+                                let _e866 = core_intrinsics_minimum_number_nsz_f32_(_e865, ((f32(((_e852 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e557) + (_e575 + _e335)));
+                                if (_e831 <= _e866) {
+                                    if (_e831 <= _e136) {
+                                        if (_e866 >= 0f) {
+                                            if (_e795 == 0u) {
+                                                let _e873 = nodes.member[(0u + _e521)].links[2u];
+                                                phi_1368_ = _e873;
                                             } else {
-                                                let _e875 = nodes.member[(0u + _e520)].links[3u];
-                                                phi_1365_ = _e875;
+                                                let _e876 = nodes.member[(0u + _e521)].links[3u];
+                                                phi_1368_ = _e876;
                                             }
-                                            let _e877 = phi_1365_;
-                                            let _e882 = ((_e877 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u);
-                                            let _e883 = (_e882 & 31u);
-                                            if (_e883 >= 24u) {
-                                                phi_1378_ = (24u + ((_e883 - 24u) ^ _e382));
+                                            let _e878 = phi_1368_;
+                                            let _e883 = ((_e878 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u);
+                                            let _e884 = (_e883 & 31u);
+                                            if (_e884 >= 24u) {
+                                                phi_1381_ = (24u + ((_e884 - 24u) ^ _e383));
                                             } else {
-                                                phi_1378_ = _e883;
+                                                phi_1381_ = _e884;
                                             }
-                                            let _e889 = phi_1378_;
-                                            phi_1383_ = (_e791 | ((_e882 >> bitcast<u32>(5i)) << bitcast<u32>((_e889 & 31u))));
+                                            let _e890 = phi_1381_;
+                                            phi_1386_ = (_e792 | ((_e883 >> bitcast<u32>(5i)) << bitcast<u32>((_e890 & 31u))));
                                         } else {
-                                            phi_1383_ = _e791;
+                                            phi_1386_ = _e792;
                                         }
-                                        let _e897 = phi_1383_;
-                                        phi_1384_ = _e897;
+                                        let _e898 = phi_1386_;
+                                        phi_1387_ = _e898;
                                     } else {
-                                        phi_1384_ = _e791;
+                                        phi_1387_ = _e792;
                                     }
-                                    let _e899 = phi_1384_;
-                                    phi_1385_ = _e899;
+                                    let _e900 = phi_1387_;
+                                    phi_1388_ = _e900;
                                 } else {
-                                    phi_1385_ = _e791;
+                                    phi_1388_ = _e792;
                                 }
-                                let _e901 = phi_1385_;
-                                phi_1255_ = (_e789 + 1u);
-                                phi_1258_ = _e901;
+                                let _e902 = phi_1388_;
+                                phi_1258_ = (_e790 + 1u);
+                                phi_1261_ = _e902;
                             } else {
-                                phi_1255_ = u32();
                                 phi_1258_ = u32();
+                                phi_1261_ = u32();
                             }
-                            let _e904 = phi_1255_;
-                            let _e906 = phi_1258_;
+                            let _e905 = phi_1258_;
+                            let _e907 = phi_1261_;
                             continue;
                             continuing {
-                                phi_1254_ = _e904;
-                                phi_1257_ = _e906;
-                                break if !(_e792);
+                                phi_1257_ = _e905;
+                                phi_1260_ = _e907;
+                                break if !(_e793);
                             }
                         }
-                        let _e910 = nodes.member[(0u + _e520)].links[0u];
-                        let _e914 = nodes.member[(0u + _e520)].frame[3u];
-                        let _e918 = local_2;
-                        if ((_e918 & 4278190080u) == 0u) {
+                        let _e911 = nodes.member[(0u + _e521)].links[0u];
+                        let _e915 = nodes.member[(0u + _e521)].frame[3u];
+                        let _e919 = local_2;
+                        if ((_e919 & 4278190080u) == 0u) {
                         } else {
-                            let _e922 = local_1.group_mask;
-                            if ((_e922 & 4278190080u) == 0u) {
+                            let _e923 = local_1.group_mask;
+                            if ((_e923 & 4278190080u) == 0u) {
                             } else {
-                                let _e926 = local_1.len;
-                                if (_e926 < 32u) {
-                                    let _e929 = local_1.group;
-                                    let _e931 = local_1.len;
-                                    if (_e931 < 32u) {
+                                let _e927 = local_1.len;
+                                if (_e927 < 32u) {
+                                    let _e930 = local_1.group;
+                                    let _e932 = local_1.len;
+                                    if (_e932 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e931)] = _e929;
-                                    let _e937 = local_1.group_mask;
-                                    let _e939 = local_1.len;
-                                    if (_e939 < 32u) {
+                                    local_1.first[(0u + _e932)] = _e930;
+                                    let _e938 = local_1.group_mask;
+                                    let _e940 = local_1.len;
+                                    if (_e940 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e939)] = _e937;
-                                    let _e946 = local_1.len;
-                                    local_1.len = (_e946 + 1u);
+                                    local_1.mask[(0u + _e940)] = _e938;
+                                    let _e947 = local_1.len;
+                                    local_1.len = (_e947 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e910);
-                            let _e950 = local_3;
-                            local_1.group_mask = ((_e950 & 4278190080u) | (_e914 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e911);
+                            let _e951 = local_3;
+                            local_1.group_mask = ((_e951 & 4278190080u) | (_e915 >> bitcast<u32>(24i)));
                         }
-                        let _e955 = local_4;
-                        phi_1443_ = (_e955 & 16777215u);
-                        phi_1446_ = _e522;
+                        let _e956 = local_4;
+                        phi_1446_ = (_e956 & 16777215u);
+                        phi_1449_ = _e523;
                         loop {
-                            let _e958 = phi_1443_;
-                            let _e960 = phi_1446_;
-                            local_7 = _e960;
-                            let _e961 = (_e958 == 0u);
-                            local_5 = _e961;
-                            local_9 = _e961;
-                            if _e961 {
-                                phi_1444_ = u32();
-                                phi_1447_ = bool();
-                                phi_2250_ = bool();
-                                phi_2251_ = false;
+                            let _e959 = phi_1446_;
+                            let _e961 = phi_1449_;
+                            local_7 = _e961;
+                            let _e962 = (_e959 == 0u);
+                            local_5 = _e962;
+                            local_9 = _e962;
+                            if _e962 {
+                                phi_1447_ = u32();
+                                phi_1450_ = bool();
+                                phi_2253_ = bool();
+                                phi_2254_ = false;
                             } else {
-                                let _e964 = nodes.member[(0u + _e520)].links[1u];
-                                let _e969 = ((0u + _e964) + select(firstTrailingBit(_e958), 32u, (_e958 == 0u)));
-                                if (_e969 < _e78) {
+                                let _e965 = nodes.member[(0u + _e521)].links[1u];
+                                let _e970 = ((0u + _e965) + select(firstTrailingBit(_e959), 32u, (_e959 == 0u)));
+                                if (_e970 < _e78) {
                                 } else {
                                     return;
                                 }
-                                let _e976 = triangles.member[(0u + _e969)].v0_;
-                                let _e978 = (_e976.x - _e127);
-                                let _e980 = (_e976.y - _e129);
-                                let _e982 = (_e976.z - _e131);
-                                if (_e355 == 0u) {
-                                    phi_1491_ = vec3<f32>(_e980, _e982, _e978);
+                                let _e977 = triangles.member[(0u + _e970)].v0_;
+                                let _e979 = (_e977.x - _e126);
+                                let _e981 = (_e977.y - _e128);
+                                let _e983 = (_e977.z - _e130);
+                                if (_e356 == 0u) {
+                                    phi_1494_ = vec3<f32>(_e981, _e983, _e979);
                                 } else {
-                                    if (_e355 == 1u) {
-                                        phi_1490_ = vec3<f32>(_e982, _e978, _e980);
+                                    if (_e356 == 1u) {
+                                        phi_1493_ = vec3<f32>(_e983, _e979, _e981);
                                     } else {
-                                        phi_1490_ = (_e976 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1493_ = (_e977 - vec3<f32>(_e126, _e128, _e130));
                                     }
-                                    let _e990 = phi_1490_;
-                                    phi_1491_ = _e990;
+                                    let _e991 = phi_1493_;
+                                    phi_1494_ = _e991;
                                 }
-                                let _e992 = phi_1491_;
-                                let _e996 = (_e992.x - (_e366 * _e992.z));
-                                let _e1000 = (_e992.y - (_e369 * _e992.z));
-                                let _e1002 = triangles.member[(0u + _e969)].v1_;
-                                let _e1004 = (_e1002.x - _e127);
-                                let _e1006 = (_e1002.y - _e129);
-                                let _e1008 = (_e1002.z - _e131);
-                                if (_e355 == 0u) {
-                                    phi_1521_ = vec3<f32>(_e1006, _e1008, _e1004);
+                                let _e993 = phi_1494_;
+                                let _e997 = (_e993.x - (_e367 * _e993.z));
+                                let _e1001 = (_e993.y - (_e370 * _e993.z));
+                                let _e1003 = triangles.member[(0u + _e970)].v1_;
+                                let _e1005 = (_e1003.x - _e126);
+                                let _e1007 = (_e1003.y - _e128);
+                                let _e1009 = (_e1003.z - _e130);
+                                if (_e356 == 0u) {
+                                    phi_1524_ = vec3<f32>(_e1007, _e1009, _e1005);
                                 } else {
-                                    if (_e355 == 1u) {
-                                        phi_1520_ = vec3<f32>(_e1008, _e1004, _e1006);
+                                    if (_e356 == 1u) {
+                                        phi_1523_ = vec3<f32>(_e1009, _e1005, _e1007);
                                     } else {
-                                        phi_1520_ = (_e1002 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1523_ = (_e1003 - vec3<f32>(_e126, _e128, _e130));
                                     }
-                                    let _e1016 = phi_1520_;
-                                    phi_1521_ = _e1016;
+                                    let _e1017 = phi_1523_;
+                                    phi_1524_ = _e1017;
                                 }
-                                let _e1018 = phi_1521_;
-                                let _e1022 = (_e1018.x - (_e366 * _e1018.z));
-                                let _e1026 = (_e1018.y - (_e369 * _e1018.z));
-                                let _e1028 = triangles.member[(0u + _e969)].v2_;
-                                let _e1030 = (_e1028.x - _e127);
-                                let _e1032 = (_e1028.y - _e129);
-                                let _e1034 = (_e1028.z - _e131);
-                                if (_e355 == 0u) {
-                                    phi_1551_ = vec3<f32>(_e1032, _e1034, _e1030);
+                                let _e1019 = phi_1524_;
+                                let _e1023 = (_e1019.x - (_e367 * _e1019.z));
+                                let _e1027 = (_e1019.y - (_e370 * _e1019.z));
+                                let _e1029 = triangles.member[(0u + _e970)].v2_;
+                                let _e1031 = (_e1029.x - _e126);
+                                let _e1033 = (_e1029.y - _e128);
+                                let _e1035 = (_e1029.z - _e130);
+                                if (_e356 == 0u) {
+                                    phi_1554_ = vec3<f32>(_e1033, _e1035, _e1031);
                                 } else {
-                                    if (_e355 == 1u) {
-                                        phi_1550_ = vec3<f32>(_e1034, _e1030, _e1032);
+                                    if (_e356 == 1u) {
+                                        phi_1553_ = vec3<f32>(_e1035, _e1031, _e1033);
                                     } else {
-                                        phi_1550_ = (_e1028 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1553_ = (_e1029 - vec3<f32>(_e126, _e128, _e130));
                                     }
-                                    let _e1042 = phi_1550_;
-                                    phi_1551_ = _e1042;
+                                    let _e1043 = phi_1553_;
+                                    phi_1554_ = _e1043;
                                 }
-                                let _e1044 = phi_1551_;
-                                let _e1048 = (_e1044.x - (_e366 * _e1044.z));
-                                let _e1052 = (_e1044.y - (_e369 * _e1044.z));
-                                if (_e1022 < _e1048) {
-                                    phi_1570_ = true;
+                                let _e1045 = phi_1554_;
+                                let _e1049 = (_e1045.x - (_e367 * _e1045.z));
+                                let _e1053 = (_e1045.y - (_e370 * _e1045.z));
+                                if (_e1023 < _e1049) {
+                                    phi_1573_ = true;
                                 } else {
-                                    if (_e1022 == _e1048) {
-                                        phi_1569_ = (_e1026 < _e1052);
+                                    if (_e1023 == _e1049) {
+                                        phi_1572_ = (_e1027 < _e1053);
                                     } else {
-                                        phi_1569_ = false;
+                                        phi_1572_ = false;
                                     }
-                                    let _e1057 = phi_1569_;
-                                    phi_1570_ = _e1057;
+                                    let _e1058 = phi_1572_;
+                                    phi_1573_ = _e1058;
                                 }
-                                let _e1059 = phi_1570_;
-                                if _e1059 {
-                                    phi_1574_ = _e1052;
-                                    phi_1575_ = _e1048;
-                                    phi_1576_ = _e1026;
-                                    phi_1577_ = _e1022;
+                                let _e1060 = phi_1573_;
+                                if _e1060 {
+                                    phi_1577_ = _e1053;
+                                    phi_1578_ = _e1049;
+                                    phi_1579_ = _e1027;
+                                    phi_1580_ = _e1023;
                                 } else {
-                                    phi_1574_ = _e1026;
-                                    phi_1575_ = _e1022;
-                                    phi_1576_ = _e1052;
-                                    phi_1577_ = _e1048;
+                                    phi_1577_ = _e1027;
+                                    phi_1578_ = _e1023;
+                                    phi_1579_ = _e1053;
+                                    phi_1580_ = _e1049;
                                 }
-                                let _e1061 = phi_1574_;
-                                let _e1063 = phi_1575_;
-                                let _e1065 = phi_1576_;
-                                let _e1067 = phi_1577_;
-                                let _e1070 = ((_e1067 * _e1061) - (_e1065 * _e1063));
-                                if _e1059 {
-                                    phi_1585_ = -(_e1070);
+                                let _e1062 = phi_1577_;
+                                let _e1064 = phi_1578_;
+                                let _e1066 = phi_1579_;
+                                let _e1068 = phi_1580_;
+                                let _e1071 = ((_e1068 * _e1062) - (_e1066 * _e1064));
+                                if _e1060 {
+                                    phi_1588_ = -(_e1071);
                                 } else {
-                                    phi_1585_ = _e1070;
+                                    phi_1588_ = _e1071;
                                 }
-                                let _e1073 = phi_1585_;
-                                if (_e1048 < _e996) {
-                                    phi_1596_ = true;
+                                let _e1074 = phi_1588_;
+                                if (_e1049 < _e997) {
+                                    phi_1599_ = true;
                                 } else {
-                                    if (_e1048 == _e996) {
-                                        phi_1595_ = (_e1052 < _e1000);
+                                    if (_e1049 == _e997) {
+                                        phi_1598_ = (_e1053 < _e1001);
                                     } else {
-                                        phi_1595_ = false;
+                                        phi_1598_ = false;
                                     }
-                                    let _e1078 = phi_1595_;
-                                    phi_1596_ = _e1078;
+                                    let _e1079 = phi_1598_;
+                                    phi_1599_ = _e1079;
                                 }
-                                let _e1080 = phi_1596_;
-                                if _e1080 {
-                                    phi_1600_ = _e1000;
-                                    phi_1601_ = _e996;
-                                    phi_1602_ = _e1052;
-                                    phi_1603_ = _e1048;
+                                let _e1081 = phi_1599_;
+                                if _e1081 {
+                                    phi_1603_ = _e1001;
+                                    phi_1604_ = _e997;
+                                    phi_1605_ = _e1053;
+                                    phi_1606_ = _e1049;
                                 } else {
-                                    phi_1600_ = _e1052;
-                                    phi_1601_ = _e1048;
-                                    phi_1602_ = _e1000;
-                                    phi_1603_ = _e996;
+                                    phi_1603_ = _e1053;
+                                    phi_1604_ = _e1049;
+                                    phi_1605_ = _e1001;
+                                    phi_1606_ = _e997;
                                 }
-                                let _e1082 = phi_1600_;
-                                let _e1084 = phi_1601_;
-                                let _e1086 = phi_1602_;
-                                let _e1088 = phi_1603_;
-                                let _e1091 = ((_e1088 * _e1082) - (_e1086 * _e1084));
-                                if _e1080 {
-                                    phi_1611_ = -(_e1091);
+                                let _e1083 = phi_1603_;
+                                let _e1085 = phi_1604_;
+                                let _e1087 = phi_1605_;
+                                let _e1089 = phi_1606_;
+                                let _e1092 = ((_e1089 * _e1083) - (_e1087 * _e1085));
+                                if _e1081 {
+                                    phi_1614_ = -(_e1092);
                                 } else {
-                                    phi_1611_ = _e1091;
+                                    phi_1614_ = _e1092;
                                 }
-                                let _e1094 = phi_1611_;
-                                if (_e996 < _e1022) {
-                                    phi_1622_ = true;
+                                let _e1095 = phi_1614_;
+                                if (_e997 < _e1023) {
+                                    phi_1625_ = true;
                                 } else {
-                                    if (_e996 == _e1022) {
-                                        phi_1621_ = (_e1000 < _e1026);
+                                    if (_e997 == _e1023) {
+                                        phi_1624_ = (_e1001 < _e1027);
                                     } else {
-                                        phi_1621_ = false;
+                                        phi_1624_ = false;
                                     }
-                                    let _e1099 = phi_1621_;
-                                    phi_1622_ = _e1099;
+                                    let _e1100 = phi_1624_;
+                                    phi_1625_ = _e1100;
                                 }
-                                let _e1101 = phi_1622_;
-                                if _e1101 {
-                                    phi_1626_ = _e1026;
-                                    phi_1627_ = _e1022;
-                                    phi_1628_ = _e1000;
-                                    phi_1629_ = _e996;
+                                let _e1102 = phi_1625_;
+                                if _e1102 {
+                                    phi_1629_ = _e1027;
+                                    phi_1630_ = _e1023;
+                                    phi_1631_ = _e1001;
+                                    phi_1632_ = _e997;
                                 } else {
-                                    phi_1626_ = _e1000;
-                                    phi_1627_ = _e996;
-                                    phi_1628_ = _e1026;
-                                    phi_1629_ = _e1022;
+                                    phi_1629_ = _e1001;
+                                    phi_1630_ = _e997;
+                                    phi_1631_ = _e1027;
+                                    phi_1632_ = _e1023;
                                 }
-                                let _e1103 = phi_1626_;
-                                let _e1105 = phi_1627_;
-                                let _e1107 = phi_1628_;
-                                let _e1109 = phi_1629_;
-                                let _e1112 = ((_e1109 * _e1103) - (_e1107 * _e1105));
-                                if _e1101 {
-                                    phi_1637_ = -(_e1112);
+                                let _e1104 = phi_1629_;
+                                let _e1106 = phi_1630_;
+                                let _e1108 = phi_1631_;
+                                let _e1110 = phi_1632_;
+                                let _e1113 = ((_e1110 * _e1104) - (_e1108 * _e1106));
+                                if _e1102 {
+                                    phi_1640_ = -(_e1113);
                                 } else {
-                                    phi_1637_ = _e1112;
+                                    phi_1640_ = _e1113;
                                 }
-                                let _e1115 = phi_1637_;
-                                if (_e1073 >= 0f) {
-                                    if (_e1094 >= 0f) {
-                                        if (_e1115 >= 0f) {
-                                            phi_1652_ = ((_e1073 + _e1094) + _e1115);
-                                            phi_1653_ = false;
+                                let _e1116 = phi_1640_;
+                                if (_e1074 >= 0f) {
+                                    if (_e1095 >= 0f) {
+                                        if (_e1116 >= 0f) {
+                                            phi_1655_ = ((_e1074 + _e1095) + _e1116);
+                                            phi_1656_ = false;
                                         } else {
-                                            phi_1652_ = f32();
-                                            phi_1653_ = true;
+                                            phi_1655_ = f32();
+                                            phi_1656_ = true;
                                         }
-                                        let _e1122 = phi_1652_;
-                                        let _e1124 = phi_1653_;
-                                        phi_1654_ = _e1122;
-                                        phi_1655_ = _e1124;
+                                        let _e1123 = phi_1655_;
+                                        let _e1125 = phi_1656_;
+                                        phi_1657_ = _e1123;
+                                        phi_1658_ = _e1125;
                                     } else {
-                                        phi_1654_ = f32();
-                                        phi_1655_ = true;
+                                        phi_1657_ = f32();
+                                        phi_1658_ = true;
                                     }
-                                    let _e1126 = phi_1654_;
-                                    let _e1128 = phi_1655_;
-                                    phi_1656_ = _e1126;
-                                    phi_1657_ = _e1128;
+                                    let _e1127 = phi_1657_;
+                                    let _e1129 = phi_1658_;
+                                    phi_1659_ = _e1127;
+                                    phi_1660_ = _e1129;
                                 } else {
-                                    phi_1656_ = f32();
-                                    phi_1657_ = true;
+                                    phi_1659_ = f32();
+                                    phi_1660_ = true;
                                 }
-                                let _e1130 = phi_1656_;
-                                let _e1132 = phi_1657_;
-                                if _e1132 {
-                                    if (_e1073 <= 0f) {
-                                        if (_e1094 <= 0f) {
-                                            let _e1135 = (_e1115 <= 0f);
-                                            if _e1135 {
+                                let _e1131 = phi_1659_;
+                                let _e1133 = phi_1660_;
+                                if _e1133 {
+                                    if (_e1074 <= 0f) {
+                                        if (_e1095 <= 0f) {
+                                            let _e1136 = (_e1116 <= 0f);
+                                            if _e1136 {
                                             }
-                                            phi_1675_ = ((_e1073 + _e1094) + _e1115);
-                                            phi_1676_ = false;
-                                            phi_1677_ = _e1135;
+                                            phi_1678_ = ((_e1074 + _e1095) + _e1116);
+                                            phi_1679_ = false;
+                                            phi_1680_ = _e1136;
                                         } else {
-                                            phi_1675_ = f32();
-                                            phi_1676_ = true;
-                                            phi_1677_ = false;
+                                            phi_1678_ = f32();
+                                            phi_1679_ = true;
+                                            phi_1680_ = false;
                                         }
-                                        let _e1139 = phi_1675_;
-                                        let _e1141 = phi_1676_;
-                                        let _e1143 = phi_1677_;
-                                        phi_1678_ = _e1139;
-                                        phi_1679_ = _e1141;
-                                        phi_1680_ = _e1143;
+                                        let _e1140 = phi_1678_;
+                                        let _e1142 = phi_1679_;
+                                        let _e1144 = phi_1680_;
+                                        phi_1681_ = _e1140;
+                                        phi_1682_ = _e1142;
+                                        phi_1683_ = _e1144;
                                     } else {
-                                        phi_1678_ = f32();
-                                        phi_1679_ = true;
-                                        phi_1680_ = false;
+                                        phi_1681_ = f32();
+                                        phi_1682_ = true;
+                                        phi_1683_ = false;
                                     }
-                                    let _e1145 = phi_1678_;
-                                    let _e1147 = phi_1679_;
-                                    let _e1149 = phi_1680_;
-                                    if _e1147 {
-                                        phi_1684_ = false;
+                                    let _e1146 = phi_1681_;
+                                    let _e1148 = phi_1682_;
+                                    let _e1150 = phi_1683_;
+                                    if _e1148 {
+                                        phi_1687_ = false;
                                     } else {
-                                        phi_1684_ = _e1149;
+                                        phi_1687_ = _e1150;
                                     }
-                                    let _e1151 = phi_1684_;
-                                    phi_1685_ = _e1145;
-                                    phi_1686_ = _e1151;
+                                    let _e1152 = phi_1687_;
+                                    phi_1688_ = _e1146;
+                                    phi_1689_ = _e1152;
                                 } else {
-                                    phi_1685_ = _e1130;
-                                    phi_1686_ = true;
+                                    phi_1688_ = _e1131;
+                                    phi_1689_ = true;
                                 }
-                                let _e1153 = phi_1685_;
-                                let _e1155 = phi_1686_;
-                                if _e1155 {
-                                    let _e1156 = (_e1153 == 0f);
-                                    if _e1156 {
-                                        phi_2002_ = lt_bvh_triangle_Intersection();
-                                        phi_2003_ = false;
+                                let _e1154 = phi_1688_;
+                                let _e1156 = phi_1689_;
+                                if _e1156 {
+                                    let _e1157 = (_e1154 == 0f);
+                                    if _e1157 {
+                                        phi_2005_ = lt_bvh_triangle_Intersection();
+                                        phi_2006_ = false;
                                     } else {
-                                        let _e1158 = triangles.member[(0u + _e969)].v0_;
-                                        let _e1160 = (_e1158.x - _e127);
-                                        let _e1162 = (_e1158.y - _e129);
-                                        let _e1164 = (_e1158.z - _e131);
-                                        if (_e355 == 0u) {
-                                            phi_1715_ = vec3<f32>(_e1162, _e1164, _e1160);
+                                        let _e1159 = triangles.member[(0u + _e970)].v0_;
+                                        let _e1161 = (_e1159.x - _e126);
+                                        let _e1163 = (_e1159.y - _e128);
+                                        let _e1165 = (_e1159.z - _e130);
+                                        if (_e356 == 0u) {
+                                            phi_1718_ = vec3<f32>(_e1163, _e1165, _e1161);
                                         } else {
-                                            if (_e355 == 1u) {
-                                                phi_1714_ = vec3<f32>(_e1164, _e1160, _e1162);
+                                            if (_e356 == 1u) {
+                                                phi_1717_ = vec3<f32>(_e1165, _e1161, _e1163);
                                             } else {
-                                                phi_1714_ = (_e1158 - vec3<f32>(_e127, _e129, _e131));
+                                                phi_1717_ = (_e1159 - vec3<f32>(_e126, _e128, _e130));
                                             }
-                                            let _e1172 = phi_1714_;
-                                            phi_1715_ = _e1172;
+                                            let _e1173 = phi_1717_;
+                                            phi_1718_ = _e1173;
                                         }
-                                        let _e1174 = phi_1715_;
-                                        let _e1176 = triangles.member[(0u + _e969)].v1_;
-                                        let _e1178 = triangles.member[(0u + _e969)].v0_;
-                                        let _e1181 = (_e1176.x - _e1178.x);
-                                        let _e1184 = (_e1176.y - _e1178.y);
-                                        let _e1187 = (_e1176.z - _e1178.z);
-                                        if (_e355 == 0u) {
-                                            phi_1741_ = vec3<f32>(_e1184, _e1187, _e1181);
+                                        let _e1175 = phi_1718_;
+                                        let _e1177 = triangles.member[(0u + _e970)].v1_;
+                                        let _e1179 = triangles.member[(0u + _e970)].v0_;
+                                        let _e1182 = (_e1177.x - _e1179.x);
+                                        let _e1185 = (_e1177.y - _e1179.y);
+                                        let _e1188 = (_e1177.z - _e1179.z);
+                                        if (_e356 == 0u) {
+                                            phi_1744_ = vec3<f32>(_e1185, _e1188, _e1182);
                                         } else {
-                                            if (_e355 == 1u) {
-                                                phi_1740_ = vec3<f32>(_e1187, _e1181, _e1184);
+                                            if (_e356 == 1u) {
+                                                phi_1743_ = vec3<f32>(_e1188, _e1182, _e1185);
                                             } else {
-                                                phi_1740_ = (_e1176 - _e1178);
+                                                phi_1743_ = (_e1177 - _e1179);
                                             }
-                                            let _e1194 = phi_1740_;
-                                            phi_1741_ = _e1194;
+                                            let _e1195 = phi_1743_;
+                                            phi_1744_ = _e1195;
                                         }
-                                        let _e1196 = phi_1741_;
-                                        let _e1198 = triangles.member[(0u + _e969)].v2_;
-                                        let _e1200 = triangles.member[(0u + _e969)].v0_;
-                                        let _e1203 = (_e1198.x - _e1200.x);
-                                        let _e1206 = (_e1198.y - _e1200.y);
-                                        let _e1209 = (_e1198.z - _e1200.z);
-                                        if (_e355 == 0u) {
-                                            phi_1767_ = vec3<f32>(_e1206, _e1209, _e1203);
+                                        let _e1197 = phi_1744_;
+                                        let _e1199 = triangles.member[(0u + _e970)].v2_;
+                                        let _e1201 = triangles.member[(0u + _e970)].v0_;
+                                        let _e1204 = (_e1199.x - _e1201.x);
+                                        let _e1207 = (_e1199.y - _e1201.y);
+                                        let _e1210 = (_e1199.z - _e1201.z);
+                                        if (_e356 == 0u) {
+                                            phi_1770_ = vec3<f32>(_e1207, _e1210, _e1204);
                                         } else {
-                                            if (_e355 == 1u) {
-                                                phi_1766_ = vec3<f32>(_e1209, _e1203, _e1206);
+                                            if (_e356 == 1u) {
+                                                phi_1769_ = vec3<f32>(_e1210, _e1204, _e1207);
                                             } else {
-                                                phi_1766_ = (_e1198 - _e1200);
+                                                phi_1769_ = (_e1199 - _e1201);
                                             }
-                                            let _e1216 = phi_1766_;
-                                            phi_1767_ = _e1216;
+                                            let _e1217 = phi_1769_;
+                                            phi_1770_ = _e1217;
                                         }
-                                        let _e1218 = phi_1767_;
-                                        let _e1225 = ((_e1196.y * _e1218.z) - (_e1196.z * _e1218.y));
-                                        let _e1232 = ((_e1196.z * _e1218.x) - (_e1196.x * _e1218.z));
-                                        let _e1239 = ((_e1196.x * _e1218.y) - (_e1196.y * _e1218.x));
-                                        let _e1253 = (((1f / _e363.z) * (((_e1225 * _e1174.x) + (_e1232 * _e1174.y)) + (_e1239 * _e1174.z))) / (((_e1225 * _e366) + (_e1232 * _e369)) + _e1239));
-                                        if (_e1253 > 0f) {
-                                            if (_e1253 < _e135) {
-                                                let _e1257 = triangles.member[(0u + _e969)].v0_;
-                                                let _e1259 = triangles.member[(0u + _e969)].v1_;
-                                                if (_e1257.x < _e1259.x) {
-                                                    phi_1823_ = _e1257.x;
+                                        let _e1219 = phi_1770_;
+                                        let _e1226 = ((_e1197.y * _e1219.z) - (_e1197.z * _e1219.y));
+                                        let _e1233 = ((_e1197.z * _e1219.x) - (_e1197.x * _e1219.z));
+                                        let _e1240 = ((_e1197.x * _e1219.y) - (_e1197.y * _e1219.x));
+                                        let _e1254 = (((1f / _e364.z) * (((_e1226 * _e1175.x) + (_e1233 * _e1175.y)) + (_e1240 * _e1175.z))) / (((_e1226 * _e367) + (_e1233 * _e370)) + _e1240));
+                                        if (_e1254 > 0f) {
+                                            if (_e1254 < _e136) {
+                                                let _e1258 = triangles.member[(0u + _e970)].v0_;
+                                                let _e1260 = triangles.member[(0u + _e970)].v1_;
+                                                if (_e1258.x < _e1260.x) {
+                                                    phi_1826_ = _e1258.x;
                                                 } else {
-                                                    phi_1823_ = _e1259.x;
+                                                    phi_1826_ = _e1260.x;
                                                 }
-                                                let _e1266 = phi_1823_;
-                                                if (_e1257.y < _e1259.y) {
-                                                    phi_1832_ = _e1257.y;
+                                                let _e1267 = phi_1826_;
+                                                if (_e1258.y < _e1260.y) {
+                                                    phi_1835_ = _e1258.y;
                                                 } else {
-                                                    phi_1832_ = _e1259.y;
+                                                    phi_1835_ = _e1260.y;
                                                 }
-                                                let _e1273 = phi_1832_;
-                                                if (_e1257.z < _e1259.z) {
-                                                    phi_1841_ = _e1257.z;
+                                                let _e1274 = phi_1835_;
+                                                if (_e1258.z < _e1260.z) {
+                                                    phi_1844_ = _e1258.z;
                                                 } else {
-                                                    phi_1841_ = _e1259.z;
+                                                    phi_1844_ = _e1260.z;
                                                 }
-                                                let _e1280 = phi_1841_;
-                                                let _e1282 = triangles.member[(0u + _e969)].v2_;
-                                                if (_e1266 < _e1282.x) {
-                                                    phi_1850_ = _e1266;
+                                                let _e1281 = phi_1844_;
+                                                let _e1283 = triangles.member[(0u + _e970)].v2_;
+                                                if (_e1267 < _e1283.x) {
+                                                    phi_1853_ = _e1267;
                                                 } else {
-                                                    phi_1850_ = _e1282.x;
+                                                    phi_1853_ = _e1283.x;
                                                 }
-                                                let _e1287 = phi_1850_;
-                                                if (_e1273 < _e1282.y) {
-                                                    phi_1857_ = _e1273;
+                                                let _e1288 = phi_1853_;
+                                                if (_e1274 < _e1283.y) {
+                                                    phi_1860_ = _e1274;
                                                 } else {
-                                                    phi_1857_ = _e1282.y;
+                                                    phi_1860_ = _e1283.y;
                                                 }
-                                                let _e1292 = phi_1857_;
-                                                if (_e1280 < _e1282.z) {
-                                                    phi_1864_ = _e1280;
+                                                let _e1293 = phi_1860_;
+                                                if (_e1281 < _e1283.z) {
+                                                    phi_1867_ = _e1281;
                                                 } else {
-                                                    phi_1864_ = _e1282.z;
+                                                    phi_1867_ = _e1283.z;
                                                 }
-                                                let _e1297 = phi_1864_;
-                                                let _e1299 = triangles.member[(0u + _e969)].v0_;
-                                                let _e1301 = triangles.member[(0u + _e969)].v1_;
-                                                if (_e1299.x > _e1301.x) {
-                                                    phi_1877_ = _e1299.x;
+                                                let _e1298 = phi_1867_;
+                                                let _e1300 = triangles.member[(0u + _e970)].v0_;
+                                                let _e1302 = triangles.member[(0u + _e970)].v1_;
+                                                if (_e1300.x > _e1302.x) {
+                                                    phi_1880_ = _e1300.x;
                                                 } else {
-                                                    phi_1877_ = _e1301.x;
+                                                    phi_1880_ = _e1302.x;
                                                 }
-                                                let _e1308 = phi_1877_;
-                                                if (_e1299.y > _e1301.y) {
-                                                    phi_1886_ = _e1299.y;
+                                                let _e1309 = phi_1880_;
+                                                if (_e1300.y > _e1302.y) {
+                                                    phi_1889_ = _e1300.y;
                                                 } else {
-                                                    phi_1886_ = _e1301.y;
+                                                    phi_1889_ = _e1302.y;
                                                 }
-                                                let _e1315 = phi_1886_;
-                                                if (_e1299.z > _e1301.z) {
-                                                    phi_1895_ = _e1299.z;
+                                                let _e1316 = phi_1889_;
+                                                if (_e1300.z > _e1302.z) {
+                                                    phi_1898_ = _e1300.z;
                                                 } else {
-                                                    phi_1895_ = _e1301.z;
+                                                    phi_1898_ = _e1302.z;
                                                 }
-                                                let _e1322 = phi_1895_;
-                                                let _e1324 = triangles.member[(0u + _e969)].v2_;
-                                                if (_e1308 > _e1324.x) {
-                                                    phi_1904_ = _e1308;
+                                                let _e1323 = phi_1898_;
+                                                let _e1325 = triangles.member[(0u + _e970)].v2_;
+                                                if (_e1309 > _e1325.x) {
+                                                    phi_1907_ = _e1309;
                                                 } else {
-                                                    phi_1904_ = _e1324.x;
+                                                    phi_1907_ = _e1325.x;
                                                 }
-                                                let _e1329 = phi_1904_;
-                                                if (_e1315 > _e1324.y) {
-                                                    phi_1911_ = _e1315;
+                                                let _e1330 = phi_1907_;
+                                                if (_e1316 > _e1325.y) {
+                                                    phi_1914_ = _e1316;
                                                 } else {
-                                                    phi_1911_ = _e1324.y;
+                                                    phi_1914_ = _e1325.y;
                                                 }
-                                                let _e1334 = phi_1911_;
-                                                if (_e1322 > _e1324.z) {
-                                                    phi_1918_ = _e1322;
+                                                let _e1335 = phi_1914_;
+                                                if (_e1323 > _e1325.z) {
+                                                    phi_1921_ = _e1323;
                                                 } else {
-                                                    phi_1918_ = _e1324.z;
+                                                    phi_1921_ = _e1325.z;
                                                 }
-                                                let _e1339 = phi_1918_;
-                                                let _e1343 = ((_e1287 - _e127) * _e284);
-                                                let _e1344 = ((_e1292 - _e129) * _e294);
-                                                let _e1345 = ((_e1297 - _e131) * _e304);
-                                                let _e1349 = ((_e1329 - _e127) * _e284);
-                                                let _e1350 = ((_e1334 - _e129) * _e294);
-                                                let _e1351 = ((_e1339 - _e131) * _e304);
-                                                if (_e1343 < _e1349) {
-                                                    phi_1935_ = _e1343;
-                                                } else {
-                                                    phi_1935_ = _e1349;
-                                                }
-                                                let _e1354 = phi_1935_;
+                                                let _e1340 = phi_1921_;
+                                                let _e1344 = ((_e1288 - _e126) * _e285);
+                                                let _e1345 = ((_e1293 - _e128) * _e295);
+                                                let _e1346 = ((_e1298 - _e130) * _e305);
+                                                let _e1350 = ((_e1330 - _e126) * _e285);
+                                                let _e1351 = ((_e1335 - _e128) * _e295);
+                                                let _e1352 = ((_e1340 - _e130) * _e305);
                                                 if (_e1344 < _e1350) {
-                                                    phi_1940_ = _e1344;
+                                                    phi_1938_ = _e1344;
                                                 } else {
-                                                    phi_1940_ = _e1350;
+                                                    phi_1938_ = _e1350;
                                                 }
-                                                let _e1357 = phi_1940_;
+                                                let _e1355 = phi_1938_;
                                                 if (_e1345 < _e1351) {
-                                                    phi_1945_ = _e1345;
+                                                    phi_1943_ = _e1345;
                                                 } else {
-                                                    phi_1945_ = _e1351;
+                                                    phi_1943_ = _e1351;
                                                 }
-                                                let _e1360 = phi_1945_;
-                                                if (_e1343 > _e1349) {
-                                                    phi_1953_ = _e1343;
+                                                let _e1358 = phi_1943_;
+                                                if (_e1346 < _e1352) {
+                                                    phi_1948_ = _e1346;
                                                 } else {
-                                                    phi_1953_ = _e1349;
+                                                    phi_1948_ = _e1352;
                                                 }
-                                                let _e1366 = phi_1953_;
+                                                let _e1361 = phi_1948_;
                                                 if (_e1344 > _e1350) {
-                                                    phi_1958_ = _e1344;
+                                                    phi_1956_ = _e1344;
                                                 } else {
-                                                    phi_1958_ = _e1350;
+                                                    phi_1956_ = _e1350;
                                                 }
-                                                let _e1369 = phi_1958_;
+                                                let _e1367 = phi_1956_;
                                                 if (_e1345 > _e1351) {
-                                                    phi_1963_ = _e1345;
+                                                    phi_1961_ = _e1345;
                                                 } else {
-                                                    phi_1963_ = _e1351;
+                                                    phi_1961_ = _e1351;
                                                 }
-                                                let _e1372 = phi_1963_;
-                                                let _e1376 = core_intrinsics_maximum_number_nsz_f32_((_e1354 - _e339), (_e1357 - _e340));
-                                                let _e1377 = core_intrinsics_maximum_number_nsz_f32_(_e1376, (_e1360 - _e341));
-                                                let _e1378 = core_intrinsics_minimum_number_nsz_f32_((_e1366 + _e339), (_e1369 + _e340));
-                                                let _e1379 = core_intrinsics_minimum_number_nsz_f32_(_e1378, (_e1372 + _e341));
-                                                if (_e1377 > -300000000000000000000000000000000000000f) {
-                                                    phi_1975_ = _e1377;
+                                                let _e1370 = phi_1961_;
+                                                if (_e1346 > _e1352) {
+                                                    phi_1966_ = _e1346;
                                                 } else {
-                                                    phi_1975_ = -300000000000000000000000000000000000000f;
+                                                    phi_1966_ = _e1352;
                                                 }
-                                                let _e1382 = phi_1975_;
-                                                if (_e1379 < 300000000000000000000000000000000000000f) {
-                                                    phi_1980_ = _e1379;
+                                                let _e1373 = phi_1966_;
+                                                let _e1377 = core_intrinsics_maximum_number_nsz_f32_((_e1355 - _e340), (_e1358 - _e341));
+                                                let _e1378 = core_intrinsics_maximum_number_nsz_f32_(_e1377, (_e1361 - _e342));
+                                                let _e1379 = core_intrinsics_minimum_number_nsz_f32_((_e1367 + _e340), (_e1370 + _e341));
+                                                let _e1380 = core_intrinsics_minimum_number_nsz_f32_(_e1379, (_e1373 + _e342));
+                                                if (_e1378 > -300000000000000000000000000000000000000f) {
+                                                    phi_1978_ = _e1378;
                                                 } else {
-                                                    phi_1980_ = 300000000000000000000000000000000000000f;
+                                                    phi_1978_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1385 = phi_1980_;
-                                                if (_e1253 < _e1382) {
-                                                    phi_1985_ = _e1382;
+                                                let _e1383 = phi_1978_;
+                                                if (_e1380 < 300000000000000000000000000000000000000f) {
+                                                    phi_1983_ = _e1380;
                                                 } else {
-                                                    phi_1985_ = _e1253;
+                                                    phi_1983_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1388 = phi_1985_;
-                                                if (_e1388 > _e1385) {
-                                                    phi_1990_ = _e1385;
+                                                let _e1386 = phi_1983_;
+                                                if (_e1254 < _e1383) {
+                                                    phi_1988_ = _e1383;
                                                 } else {
-                                                    phi_1990_ = _e1388;
+                                                    phi_1988_ = _e1254;
                                                 }
-                                                let _e1391 = phi_1990_;
-                                                phi_1995_ = lt_bvh_triangle_Intersection(_e1391, (_e1094 / _e1153), (_e1115 / _e1153), (_e1382 <= _e1385));
-                                                phi_1996_ = false;
+                                                let _e1389 = phi_1988_;
+                                                if (_e1389 > _e1386) {
+                                                    phi_1993_ = _e1386;
+                                                } else {
+                                                    phi_1993_ = _e1389;
+                                                }
+                                                let _e1392 = phi_1993_;
+                                                phi_1998_ = lt_bvh_triangle_Intersection(_e1392, (_e1095 / _e1154), (_e1116 / _e1154), (_e1383 <= _e1386));
+                                                phi_1999_ = false;
                                             } else {
-                                                phi_1995_ = lt_bvh_triangle_Intersection();
-                                                phi_1996_ = true;
+                                                phi_1998_ = lt_bvh_triangle_Intersection();
+                                                phi_1999_ = true;
                                             }
-                                            let _e1397 = phi_1995_;
-                                            let _e1399 = phi_1996_;
-                                            phi_1997_ = _e1397;
-                                            phi_1998_ = _e1399;
+                                            let _e1398 = phi_1998_;
+                                            let _e1400 = phi_1999_;
+                                            phi_2000_ = _e1398;
+                                            phi_2001_ = _e1400;
                                         } else {
-                                            phi_1997_ = lt_bvh_triangle_Intersection();
-                                            phi_1998_ = true;
+                                            phi_2000_ = lt_bvh_triangle_Intersection();
+                                            phi_2001_ = true;
                                         }
-                                        let _e1401 = phi_1997_;
-                                        let _e1403 = phi_1998_;
-                                        if _e1403 {
+                                        let _e1402 = phi_2000_;
+                                        let _e1404 = phi_2001_;
+                                        if _e1404 {
                                         }
-                                        phi_2002_ = _e1401;
-                                        phi_2003_ = _e1403;
+                                        phi_2005_ = _e1402;
+                                        phi_2006_ = _e1404;
                                     }
-                                    let _e1405 = phi_2002_;
-                                    let _e1407 = phi_2003_;
-                                    phi_2004_ = _e1405;
-                                    phi_2005_ = _e1156;
-                                    phi_2006_ = _e1407;
+                                    let _e1406 = phi_2005_;
+                                    let _e1408 = phi_2006_;
+                                    phi_2007_ = _e1406;
+                                    phi_2008_ = _e1157;
+                                    phi_2009_ = _e1408;
                                 } else {
-                                    phi_2004_ = lt_bvh_triangle_Intersection();
-                                    phi_2005_ = true;
-                                    phi_2006_ = false;
+                                    phi_2007_ = lt_bvh_triangle_Intersection();
+                                    phi_2008_ = true;
+                                    phi_2009_ = false;
                                 }
-                                let _e1409 = phi_2004_;
-                                let _e1411 = phi_2005_;
-                                let _e1413 = phi_2006_;
-                                if _e1411 {
-                                    phi_2010_ = true;
+                                let _e1410 = phi_2007_;
+                                let _e1412 = phi_2008_;
+                                let _e1414 = phi_2009_;
+                                if _e1412 {
+                                    phi_2013_ = true;
                                 } else {
-                                    phi_2010_ = _e1413;
+                                    phi_2013_ = _e1414;
                                 }
-                                let _e1415 = phi_2010_;
-                                if _e1415 {
-                                    phi_2014_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1416 = phi_2013_;
+                                if _e1416 {
+                                    phi_2017_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2014_ = _e1409;
+                                    phi_2017_ = _e1410;
                                 }
-                                let _e1417 = phi_2014_;
-                                if _e1417.is_hit {
-                                    if (_e1417.t > 0f) {
-                                        if (_e1417.t < _e135) {
-                                            let _e1424 = triangles.member[(0u + _e969)].i0_;
-                                            if ((_e1424 & 2147483648u) == 0u) {
-                                                phi_2233_ = true;
+                                let _e1418 = phi_2017_;
+                                if _e1418.is_hit {
+                                    if (_e1418.t > 0f) {
+                                        if (_e1418.t < _e136) {
+                                            let _e1425 = triangles.member[(0u + _e970)].i0_;
+                                            if ((_e1425 & 2147483648u) == 0u) {
+                                                phi_2236_ = true;
                                             } else {
-                                                if (_e969 < _e78) {
+                                                if (_e970 < _e78) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1433 = triangles.member[(0u + _e969)].i0_;
-                                                let _e1434 = (_e1433 & 2147483647u);
-                                                let _e1436 = triangles.member[(0u + _e969)].i1_;
-                                                let _e1438 = triangles.member[(0u + _e969)].i2_;
-                                                if (_e1434 < _e87) {
+                                                let _e1434 = triangles.member[(0u + _e970)].i0_;
+                                                let _e1435 = (_e1434 & 2147483647u);
+                                                let _e1437 = triangles.member[(0u + _e970)].i1_;
+                                                let _e1439 = triangles.member[(0u + _e970)].i2_;
+                                                if (_e1435 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1442 = vertices.member[(0u + _e1434)];
-                                                if (_e1436 < _e87) {
+                                                let _e1443 = vertices.member[(0u + _e1435)];
+                                                if (_e1437 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1446 = vertices.member[(0u + _e1436)];
-                                                if (_e1438 < _e87) {
+                                                let _e1447 = vertices.member[(0u + _e1437)];
+                                                if (_e1439 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1450 = vertices.member[(0u + _e1438)];
-                                                let _e1451 = array<abi_Vertex, 3>(_e1442, _e1446, _e1450);
-                                                if (_e1451[0].material < arrayLength((&materials.member))) {
+                                                let _e1451 = vertices.member[(0u + _e1439)];
+                                                let _e1452 = array<abi_Vertex, 3>(_e1443, _e1447, _e1451);
+                                                if (_e1452[0].material < arrayLength((&materials.member))) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1457 = materials.member[(0u + _e1451[0].material)];
-                                                if ((_e1457.flags & 1u) == 1u) {
-                                                    let _e1462 = ((1f - _e1417.u) - _e1417.v);
-                                                    if (_e1457.cutoff <= 0f) {
-                                                        phi_2231_ = true;
+                                                let _e1458 = materials.member[(0u + _e1452[0].material)];
+                                                if ((_e1458.flags & 1u) == 1u) {
+                                                    let _e1463 = ((1f - _e1418.u) - _e1418.v);
+                                                    if (_e1458.cutoff <= 0f) {
+                                                        phi_2234_ = true;
                                                     } else {
-                                                        let _e1489 = (_e1457.base_color.w * ((((f32((_e1451[0].color >> bitcast<u32>(24i))) * _e1462) + (f32((_e1451[1].color >> bitcast<u32>(24i))) * _e1417.u)) + (f32((_e1451[2].color >> bitcast<u32>(24i))) * _e1417.v)) * (1f / 255f)));
-                                                        if (_e1457.alpha_size == 0u) {
-                                                            phi_2228_ = _e1489;
+                                                        let _e1490 = (_e1458.base_color.w * ((((f32((_e1452[0].color >> bitcast<u32>(24i))) * _e1463) + (f32((_e1452[1].color >> bitcast<u32>(24i))) * _e1418.u)) + (f32((_e1452[2].color >> bitcast<u32>(24i))) * _e1418.v)) * (1f / 255f)));
+                                                        if (_e1458.alpha_size == 0u) {
+                                                            phi_2231_ = _e1490;
                                                         } else {
-                                                            local.offset = _e1457.alpha_offset;
-                                                            local.size = _e1457.alpha_size;
-                                                            local.flags = _e1457.flags;
-                                                            let _e1520 = _lt_shaders_texture_TextureView_quad((&local), (((_e1451[0].u * _e1462) + (_e1451[1].u * _e1417.u)) + (_e1451[2].u * _e1417.v)), (((_e1451[0].v * _e1462) + (_e1451[1].v * _e1417.u)) + (_e1451[2].v * _e1417.v)));
-                                                            let _e1524 = (_e1520.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1524 < _e93) {
+                                                            local.offset = _e1458.alpha_offset;
+                                                            local.size = _e1458.alpha_size;
+                                                            local.flags = _e1458.flags;
+                                                            let _e1521 = _lt_shaders_texture_TextureView_quad((&local), (((_e1452[0].u * _e1463) + (_e1452[1].u * _e1418.u)) + (_e1452[2].u * _e1418.v)), (((_e1452[0].v * _e1463) + (_e1452[1].v * _e1418.u)) + (_e1452[2].v * _e1418.v)));
+                                                            let _e1525 = (_e1521.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1525 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1528 = alpha_texels.member[(0u + _e1524)];
-                                                            let _e1544 = (_e1520.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1544 < _e93) {
+                                                            let _e1529 = alpha_texels.member[(0u + _e1525)];
+                                                            let _e1545 = (_e1521.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1545 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1548 = alpha_texels.member[(0u + _e1544)];
-                                                            let _e1565 = (_e1520.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1565 < _e93) {
+                                                            let _e1549 = alpha_texels.member[(0u + _e1545)];
+                                                            let _e1566 = (_e1521.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1566 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1569 = alpha_texels.member[(0u + _e1565)];
-                                                            let _e1586 = (_e1520.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1586 < _e93) {
+                                                            let _e1570 = alpha_texels.member[(0u + _e1566)];
+                                                            let _e1587 = (_e1521.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1587 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1590 = alpha_texels.member[(0u + _e1586)];
-                                                            phi_2228_ = (_e1489 * (((((f32(((_e1528 >> bitcast<u32>((((_e1520.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.x) + ((f32(((_e1548 >> bitcast<u32>((((_e1520.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.y)) + ((f32(((_e1569 >> bitcast<u32>((((_e1520.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.z)) + ((f32(((_e1590 >> bitcast<u32>((((_e1520.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.w)));
+                                                            let _e1591 = alpha_texels.member[(0u + _e1587)];
+                                                            phi_2231_ = (_e1490 * (((((f32(((_e1529 >> bitcast<u32>((((_e1521.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.x) + ((f32(((_e1549 >> bitcast<u32>((((_e1521.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.y)) + ((f32(((_e1570 >> bitcast<u32>((((_e1521.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.z)) + ((f32(((_e1591 >> bitcast<u32>((((_e1521.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.w)));
                                                         }
-                                                        let _e1606 = phi_2228_;
-                                                        phi_2231_ = (_e1606 >= _e1457.cutoff);
+                                                        let _e1607 = phi_2231_;
+                                                        phi_2234_ = (_e1607 >= _e1458.cutoff);
                                                     }
-                                                    let _e1610 = phi_2231_;
-                                                    phi_2232_ = _e1610;
+                                                    let _e1611 = phi_2234_;
+                                                    phi_2235_ = _e1611;
                                                 } else {
-                                                    phi_2232_ = false;
+                                                    phi_2235_ = false;
                                                 }
-                                                let _e1612 = phi_2232_;
-                                                phi_2233_ = _e1612;
+                                                let _e1613 = phi_2235_;
+                                                phi_2236_ = _e1613;
                                             }
-                                            let _e1614 = phi_2233_;
-                                            if _e1614 {
-                                                phi_2237_ = false;
+                                            let _e1615 = phi_2236_;
+                                            if _e1615 {
+                                                phi_2240_ = false;
                                             } else {
-                                                phi_2237_ = true;
+                                                phi_2240_ = true;
                                             }
-                                            let _e1616 = phi_2237_;
-                                            phi_2238_ = _e1614;
-                                            phi_2239_ = _e1614;
-                                            phi_2240_ = _e1616;
+                                            let _e1617 = phi_2240_;
+                                            phi_2241_ = _e1615;
+                                            phi_2242_ = _e1615;
+                                            phi_2243_ = _e1617;
                                         } else {
-                                            phi_2238_ = bool();
-                                            phi_2239_ = _e960;
-                                            phi_2240_ = true;
+                                            phi_2241_ = bool();
+                                            phi_2242_ = _e961;
+                                            phi_2243_ = true;
                                         }
-                                        let _e1618 = phi_2238_;
-                                        let _e1620 = phi_2239_;
-                                        let _e1622 = phi_2240_;
-                                        phi_2241_ = _e1618;
-                                        phi_2242_ = _e1620;
-                                        phi_2243_ = _e1622;
+                                        let _e1619 = phi_2241_;
+                                        let _e1621 = phi_2242_;
+                                        let _e1623 = phi_2243_;
+                                        phi_2244_ = _e1619;
+                                        phi_2245_ = _e1621;
+                                        phi_2246_ = _e1623;
                                     } else {
-                                        phi_2241_ = bool();
-                                        phi_2242_ = _e960;
-                                        phi_2243_ = true;
+                                        phi_2244_ = bool();
+                                        phi_2245_ = _e961;
+                                        phi_2246_ = true;
                                     }
-                                    let _e1624 = phi_2241_;
-                                    let _e1626 = phi_2242_;
-                                    let _e1628 = phi_2243_;
-                                    phi_2244_ = _e1624;
-                                    phi_2245_ = _e1626;
-                                    phi_2246_ = _e1628;
+                                    let _e1625 = phi_2244_;
+                                    let _e1627 = phi_2245_;
+                                    let _e1629 = phi_2246_;
+                                    phi_2247_ = _e1625;
+                                    phi_2248_ = _e1627;
+                                    phi_2249_ = _e1629;
                                 } else {
-                                    phi_2244_ = bool();
-                                    phi_2245_ = _e960;
-                                    phi_2246_ = true;
+                                    phi_2247_ = bool();
+                                    phi_2248_ = _e961;
+                                    phi_2249_ = true;
                                 }
-                                let _e1630 = phi_2244_;
-                                let _e1632 = phi_2245_;
-                                let _e1634 = phi_2246_;
-                                if _e1634 {
+                                let _e1631 = phi_2247_;
+                                let _e1633 = phi_2248_;
+                                let _e1635 = phi_2249_;
+                                if _e1635 {
                                 }
-                                phi_1444_ = (_e958 & (_e958 - 1u));
-                                phi_1447_ = _e1632;
-                                phi_2250_ = _e1630;
-                                phi_2251_ = _e1634;
+                                phi_1447_ = (_e959 & (_e959 - 1u));
+                                phi_1450_ = _e1633;
+                                phi_2253_ = _e1631;
+                                phi_2254_ = _e1635;
                             }
-                            let _e1636 = phi_1444_;
-                            let _e1638 = phi_1447_;
-                            let _e1640 = phi_2250_;
-                            let _e1642 = phi_2251_;
-                            local_8 = _e1640;
+                            let _e1637 = phi_1447_;
+                            let _e1639 = phi_1450_;
+                            let _e1641 = phi_2253_;
+                            let _e1643 = phi_2254_;
+                            local_8 = _e1641;
                             continue;
                             continuing {
-                                phi_1443_ = _e1636;
-                                phi_1446_ = _e1638;
-                                break if !(_e1642);
+                                phi_1446_ = _e1637;
+                                phi_1449_ = _e1639;
+                                break if !(_e1643);
                             }
                         }
-                        let _e1645 = local_5;
-                        if _e1645 {
-                            let _e1647 = local_1.group_mask;
-                            if ((_e1647 & 4278190080u) == 0u) {
-                                let _e1651 = local_1.len;
-                                if (_e1651 == 0u) {
-                                    phi_2293_ = false;
+                        let _e1646 = local_5;
+                        if _e1646 {
+                            let _e1648 = local_1.group_mask;
+                            if ((_e1648 & 4278190080u) == 0u) {
+                                let _e1652 = local_1.len;
+                                if (_e1652 == 0u) {
+                                    phi_2296_ = false;
                                 } else {
-                                    let _e1655 = local_1.len;
-                                    local_1.len = (_e1655 - 1u);
-                                    let _e1658 = local_1.len;
-                                    if (_e1658 < 32u) {
+                                    let _e1656 = local_1.len;
+                                    local_1.len = (_e1656 - 1u);
+                                    let _e1659 = local_1.len;
+                                    if (_e1659 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1663 = local_1.first[(0u + _e1658)];
-                                    local_1.group = _e1663;
-                                    let _e1666 = local_1.len;
-                                    if (_e1666 < 32u) {
+                                    let _e1664 = local_1.first[(0u + _e1659)];
+                                    local_1.group = _e1664;
+                                    let _e1667 = local_1.len;
+                                    if (_e1667 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1671 = local_1.mask[(0u + _e1666)];
-                                    local_1.group_mask = _e1671;
-                                    phi_2293_ = true;
+                                    let _e1672 = local_1.mask[(0u + _e1667)];
+                                    local_1.group_mask = _e1672;
+                                    phi_2296_ = true;
                                 }
-                                let _e1674 = phi_2293_;
-                                phi_2294_ = _e1674;
+                                let _e1675 = phi_2296_;
+                                phi_2297_ = _e1675;
                             } else {
-                                phi_2294_ = true;
+                                phi_2297_ = true;
                             }
-                            let _e1676 = phi_2294_;
-                            if _e1676 {
-                                let _e1678 = local_1.group_mask;
-                                let _e1684 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1678)), 32u, (_e1678 == 0u)));
-                                let _e1688 = local_1.group_mask;
-                                let _e1702 = local_1.group_mask;
-                                local_1.group_mask = (_e1702 & ~((1u << bitcast<u32>((_e1684 & 31u)))));
-                                let _e1705 = local_1.group;
-                                phi_2325_ = (_e1705 + countOneBits(((_e1688 & ~((4294967295u << bitcast<u32>((((_e1684 - 24u) ^ _e382) & 31u))))) & 255u)));
+                            let _e1677 = phi_2297_;
+                            if _e1677 {
+                                let _e1679 = local_1.group_mask;
+                                let _e1685 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1679)), 32u, (_e1679 == 0u)));
+                                let _e1689 = local_1.group_mask;
+                                let _e1703 = local_1.group_mask;
+                                local_1.group_mask = (_e1703 & ~((1u << bitcast<u32>((_e1685 & 31u)))));
+                                let _e1706 = local_1.group;
+                                phi_2328_ = (_e1706 + countOneBits(((_e1689 & ~((4294967295u << bitcast<u32>((((_e1685 - 24u) ^ _e383) & 31u))))) & 255u)));
                             } else {
-                                phi_2325_ = 4294967295u;
+                                phi_2328_ = 4294967295u;
                             }
-                            let _e1708 = phi_2325_;
-                            phi_2326_ = _e1708;
+                            let _e1709 = phi_2328_;
+                            phi_2329_ = _e1709;
                         } else {
-                            phi_2326_ = u32();
+                            phi_2329_ = u32();
                         }
-                        let _e1710 = phi_2326_;
-                        phi_1112_ = _e1710;
-                        let _e1918 = local_7;
-                        phi_1115_ = _e1918;
-                        let _e1921 = local_8;
-                        phi_2327_ = _e1921;
-                        let _e1924 = local_9;
-                        phi_2328_ = _e1924;
-                        phi_2329_ = false;
+                        let _e1711 = phi_2329_;
+                        phi_1115_ = _e1711;
+                        let _e1919 = local_7;
+                        phi_1118_ = _e1919;
+                        let _e1922 = local_8;
+                        phi_2330_ = _e1922;
+                        let _e1925 = local_9;
+                        phi_2331_ = _e1925;
+                        phi_2332_ = false;
                     } else {
-                        phi_1112_ = u32();
-                        phi_1115_ = bool();
-                        phi_2327_ = bool();
-                        phi_2328_ = false;
-                        phi_2329_ = true;
+                        phi_1115_ = u32();
+                        phi_1118_ = bool();
+                        phi_2330_ = bool();
+                        phi_2331_ = false;
+                        phi_2332_ = true;
                     }
-                    let _e1712 = phi_1112_;
-                    let _e1714 = phi_1115_;
-                    let _e1716 = phi_2327_;
-                    let _e1718 = phi_2328_;
-                    let _e1720 = phi_2329_;
-                    local_6 = _e1720;
-                    local_10 = _e1716;
+                    let _e1713 = phi_1115_;
+                    let _e1715 = phi_1118_;
+                    let _e1717 = phi_2330_;
+                    let _e1719 = phi_2331_;
+                    let _e1721 = phi_2332_;
+                    local_6 = _e1721;
+                    local_10 = _e1717;
                     continue;
                     continuing {
-                        phi_1111_ = _e1712;
-                        phi_1114_ = _e1714;
-                        break if !(_e1718);
+                        phi_1114_ = _e1713;
+                        phi_1117_ = _e1715;
+                        break if !(_e1719);
                     }
                 }
-                let _e1723 = local_6;
-                if _e1723 {
-                    phi_2333_ = false;
+                let _e1724 = local_6;
+                if _e1724 {
+                    phi_2336_ = false;
                 } else {
-                    phi_2333_ = true;
+                    phi_2336_ = true;
                 }
-                let _e1725 = phi_2333_;
-                if _e1725 {
-                    let _e1930 = local_10;
-                    phi_2337_ = _e1930;
+                let _e1726 = phi_2336_;
+                if _e1726 {
+                    let _e1931 = local_10;
+                    phi_2340_ = _e1931;
                 } else {
-                    let _e1932 = local_11;
-                    phi_2337_ = _e1932;
+                    let _e1933 = local_11;
+                    phi_2340_ = _e1933;
                 }
-                let _e1727 = phi_2337_;
-                phi_2338_ = _e1727;
+                let _e1728 = phi_2340_;
+                phi_2341_ = _e1728;
             }
-            let _e1729 = phi_2338_;
-            phi_2339_ = _e1729;
-            phi_2340_ = _e208;
+            let _e1730 = phi_2341_;
+            phi_2342_ = _e1730;
+            phi_2343_ = _e209;
         } else {
-            phi_2339_ = bool();
-            phi_2340_ = true;
+            phi_2342_ = bool();
+            phi_2343_ = true;
         }
-        let _e1731 = phi_2339_;
-        let _e1733 = phi_2340_;
-        if _e1733 {
-            phi_2344_ = false;
+        let _e1732 = phi_2342_;
+        let _e1734 = phi_2343_;
+        if _e1734 {
+            phi_2347_ = false;
         } else {
-            phi_2344_ = _e1731;
+            phi_2347_ = _e1732;
         }
-        let _e1735 = phi_2344_;
-        if _e1735 {
-            phi_2348_ = 0f;
+        let _e1736 = phi_2347_;
+        if _e1736 {
+            phi_2351_ = 0f;
         } else {
-            phi_2348_ = 1f;
+            phi_2351_ = 1f;
         }
-        let _e1737 = phi_2348_;
+        let _e1738 = phi_2351_;
         if (_e106 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e106)] = _e1737;
+        visibility.member[(0u + _e106)] = _e1738;
     }
     return;
 }

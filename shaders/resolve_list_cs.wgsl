@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -41,18 +50,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_29 {
+struct type_30 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_34 {
+struct type_35 {
     member: array<lt_bvh_Node>,
 }
 
@@ -77,7 +86,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_38 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -99,67 +108,64 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_29;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> nodes: type_34;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_38;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_144_: bool;
-    var phi_148_: f32;
+    var phi_146_: bool;
+    var phi_150_: f32;
 
     if (param != param) {
-        phi_144_ = true;
+        phi_146_ = true;
     } else {
         let _e52 = (param_1 >= param);
         if _e52 {
         }
-        phi_144_ = _e52;
+        phi_146_ = _e52;
     }
-    let _e54 = phi_144_;
+    let _e54 = phi_146_;
     if _e54 {
-        phi_148_ = param_1;
+        phi_150_ = param_1;
     } else {
-        phi_148_ = param;
+        phi_150_ = param;
     }
-    let _e56 = phi_148_;
+    let _e56 = phi_150_;
     return _e56;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_160_: bool;
-    var phi_164_: f32;
+    var phi_162_: bool;
+    var phi_166_: f32;
 
     if (param_2 != param_2) {
-        phi_160_ = true;
+        phi_162_ = true;
     } else {
         let _e52 = (param_3 <= param_2);
         if _e52 {
         }
-        phi_160_ = _e52;
+        phi_162_ = _e52;
     }
-    let _e54 = phi_160_;
+    let _e54 = phi_162_;
     if _e54 {
-        phi_164_ = param_3;
+        phi_166_ = param_3;
     } else {
-        phi_164_ = param_2;
+        phi_166_ = param_2;
     }
-    let _e56 = phi_164_;
+    let _e56 = phi_166_;
     return _e56;
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
-    var phi_238_: f32;
-    var phi_293_: bool;
-    var phi_294_: bool;
-    var phi_295_: bool;
-    var phi_299_: bool;
-    var phi_300_: bool;
-    var phi_301_: bool;
+    var phi_241_: f32;
+    var phi_296_: bool;
+    var phi_297_: bool;
+    var phi_298_: bool;
     var phi_302_: bool;
     var phi_303_: bool;
     var phi_304_: bool;
@@ -175,162 +181,165 @@ fn function_() {
     var phi_314_: bool;
     var phi_315_: bool;
     var phi_316_: bool;
-    var phi_320_: bool;
-    var phi_324_: bool;
-    var phi_394_: f32;
-    var phi_401_: f32;
-    var phi_408_: f32;
-    var phi_415_: f32;
-    var phi_422_: f32;
-    var phi_429_: f32;
-    var phi_446_: f32;
-    var phi_451_: f32;
-    var phi_456_: f32;
-    var phi_484_: bool;
-    var phi_485_: bool;
-    var phi_493_: u32;
-    var phi_494_: u32;
-    var phi_505_: vec3<f32>;
-    var phi_506_: vec3<f32>;
-    var phi_519_: u32;
-    var phi_524_: u32;
-    var phi_529_: u32;
-    var phi_643_: bool;
-    var phi_644_: bool;
-    var phi_675_: u32;
-    var phi_677_: u32;
-    var phi_680_: bool;
-    var phi_760_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_787_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_814_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_820_: u32;
+    var phi_317_: bool;
+    var phi_318_: bool;
+    var phi_319_: bool;
+    var phi_323_: bool;
+    var phi_327_: bool;
+    var phi_397_: f32;
+    var phi_404_: f32;
+    var phi_411_: f32;
+    var phi_418_: f32;
+    var phi_425_: f32;
+    var phi_432_: f32;
+    var phi_449_: f32;
+    var phi_454_: f32;
+    var phi_459_: f32;
+    var phi_487_: bool;
+    var phi_488_: bool;
+    var phi_496_: u32;
+    var phi_497_: u32;
+    var phi_508_: vec3<f32>;
+    var phi_509_: vec3<f32>;
+    var phi_522_: u32;
+    var phi_527_: u32;
+    var phi_532_: u32;
+    var phi_646_: bool;
+    var phi_647_: bool;
+    var phi_678_: u32;
+    var phi_680_: u32;
+    var phi_683_: bool;
+    var phi_763_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_790_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_817_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_823_: u32;
-    var phi_837_: u32;
-    var phi_847_: u32;
-    var phi_857_: u32;
-    var phi_875_: u32;
-    var phi_885_: u32;
-    var phi_895_: u32;
-    var phi_931_: u32;
-    var phi_944_: u32;
-    var phi_949_: u32;
-    var phi_950_: u32;
-    var phi_951_: u32;
-    var phi_821_: u32;
+    var phi_826_: u32;
+    var phi_840_: u32;
+    var phi_850_: u32;
+    var phi_860_: u32;
+    var phi_878_: u32;
+    var phi_888_: u32;
+    var phi_898_: u32;
+    var phi_934_: u32;
+    var phi_947_: u32;
+    var phi_952_: u32;
+    var phi_953_: u32;
+    var phi_954_: u32;
     var phi_824_: u32;
+    var phi_827_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1009_: u32;
-    var phi_1012_: bool;
-    var phi_1056_: vec3<f32>;
-    var phi_1057_: vec3<f32>;
-    var phi_1086_: vec3<f32>;
-    var phi_1087_: vec3<f32>;
-    var phi_1116_: vec3<f32>;
-    var phi_1117_: vec3<f32>;
-    var phi_1135_: bool;
-    var phi_1136_: bool;
-    var phi_1140_: f32;
-    var phi_1141_: f32;
-    var phi_1142_: f32;
+    var phi_1012_: u32;
+    var phi_1015_: bool;
+    var phi_1059_: vec3<f32>;
+    var phi_1060_: vec3<f32>;
+    var phi_1089_: vec3<f32>;
+    var phi_1090_: vec3<f32>;
+    var phi_1119_: vec3<f32>;
+    var phi_1120_: vec3<f32>;
+    var phi_1138_: bool;
+    var phi_1139_: bool;
     var phi_1143_: f32;
-    var phi_1151_: f32;
-    var phi_1161_: bool;
-    var phi_1162_: bool;
-    var phi_1166_: f32;
-    var phi_1167_: f32;
-    var phi_1168_: f32;
+    var phi_1144_: f32;
+    var phi_1145_: f32;
+    var phi_1146_: f32;
+    var phi_1154_: f32;
+    var phi_1164_: bool;
+    var phi_1165_: bool;
     var phi_1169_: f32;
-    var phi_1177_: f32;
-    var phi_1187_: bool;
-    var phi_1188_: bool;
-    var phi_1192_: f32;
-    var phi_1193_: f32;
-    var phi_1194_: f32;
+    var phi_1170_: f32;
+    var phi_1171_: f32;
+    var phi_1172_: f32;
+    var phi_1180_: f32;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
     var phi_1195_: f32;
-    var phi_1203_: f32;
-    var phi_1218_: f32;
-    var phi_1219_: bool;
-    var phi_1220_: f32;
-    var phi_1221_: bool;
-    var phi_1222_: f32;
-    var phi_1223_: bool;
-    var phi_1241_: f32;
-    var phi_1242_: bool;
-    var phi_1243_: bool;
+    var phi_1196_: f32;
+    var phi_1197_: f32;
+    var phi_1198_: f32;
+    var phi_1206_: f32;
+    var phi_1221_: f32;
+    var phi_1222_: bool;
+    var phi_1223_: f32;
+    var phi_1224_: bool;
+    var phi_1225_: f32;
+    var phi_1226_: bool;
     var phi_1244_: f32;
     var phi_1245_: bool;
     var phi_1246_: bool;
-    var phi_1250_: bool;
-    var phi_1251_: f32;
-    var phi_1252_: bool;
-    var phi_1280_: vec3<f32>;
-    var phi_1281_: vec3<f32>;
-    var phi_1306_: vec3<f32>;
-    var phi_1307_: vec3<f32>;
-    var phi_1332_: vec3<f32>;
-    var phi_1333_: vec3<f32>;
-    var phi_1389_: f32;
-    var phi_1398_: f32;
-    var phi_1407_: f32;
-    var phi_1416_: f32;
-    var phi_1423_: f32;
-    var phi_1430_: f32;
-    var phi_1443_: f32;
-    var phi_1452_: f32;
-    var phi_1461_: f32;
-    var phi_1470_: f32;
-    var phi_1477_: f32;
-    var phi_1484_: f32;
-    var phi_1501_: f32;
-    var phi_1506_: f32;
-    var phi_1511_: f32;
-    var phi_1519_: f32;
-    var phi_1524_: f32;
-    var phi_1529_: f32;
-    var phi_1541_: f32;
-    var phi_1546_: f32;
-    var phi_1551_: f32;
-    var phi_1556_: f32;
-    var phi_1561_: lt_bvh_triangle_Intersection;
-    var phi_1562_: bool;
-    var phi_1563_: lt_bvh_triangle_Intersection;
-    var phi_1564_: bool;
-    var phi_1568_: lt_bvh_triangle_Intersection;
-    var phi_1569_: bool;
-    var phi_1570_: lt_bvh_triangle_Intersection;
-    var phi_1571_: bool;
+    var phi_1247_: f32;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1253_: bool;
+    var phi_1254_: f32;
+    var phi_1255_: bool;
+    var phi_1283_: vec3<f32>;
+    var phi_1284_: vec3<f32>;
+    var phi_1309_: vec3<f32>;
+    var phi_1310_: vec3<f32>;
+    var phi_1335_: vec3<f32>;
+    var phi_1336_: vec3<f32>;
+    var phi_1392_: f32;
+    var phi_1401_: f32;
+    var phi_1410_: f32;
+    var phi_1419_: f32;
+    var phi_1426_: f32;
+    var phi_1433_: f32;
+    var phi_1446_: f32;
+    var phi_1455_: f32;
+    var phi_1464_: f32;
+    var phi_1473_: f32;
+    var phi_1480_: f32;
+    var phi_1487_: f32;
+    var phi_1504_: f32;
+    var phi_1509_: f32;
+    var phi_1514_: f32;
+    var phi_1522_: f32;
+    var phi_1527_: f32;
+    var phi_1532_: f32;
+    var phi_1544_: f32;
+    var phi_1549_: f32;
+    var phi_1554_: f32;
+    var phi_1559_: f32;
+    var phi_1564_: lt_bvh_triangle_Intersection;
+    var phi_1565_: bool;
+    var phi_1566_: lt_bvh_triangle_Intersection;
+    var phi_1567_: bool;
+    var phi_1571_: lt_bvh_triangle_Intersection;
     var phi_1572_: bool;
-    var phi_1576_: bool;
-    var phi_1580_: lt_bvh_triangle_Intersection;
-    var phi_1600_: bool;
-    var phi_1601_: bool;
-    var phi_1602_: bool;
+    var phi_1573_: lt_bvh_triangle_Intersection;
+    var phi_1574_: bool;
+    var phi_1575_: bool;
+    var phi_1579_: bool;
+    var phi_1583_: lt_bvh_triangle_Intersection;
     var phi_1603_: bool;
     var phi_1604_: bool;
     var phi_1605_: bool;
     var phi_1606_: bool;
-    var phi_1010_: u32;
-    var phi_1013_: bool;
-    var phi_1610_: bool;
+    var phi_1607_: bool;
+    var phi_1608_: bool;
+    var phi_1609_: bool;
+    var phi_1013_: u32;
+    var phi_1016_: bool;
+    var phi_1613_: bool;
     var local_4: bool;
-    var phi_1652_: bool;
-    var phi_1653_: bool;
-    var phi_1684_: u32;
-    var phi_1685_: u32;
-    var phi_678_: u32;
-    var phi_681_: bool;
-    var phi_1686_: bool;
-    var phi_1687_: bool;
+    var phi_1655_: bool;
+    var phi_1656_: bool;
+    var phi_1687_: u32;
+    var phi_1688_: u32;
+    var phi_681_: u32;
+    var phi_684_: bool;
+    var phi_1689_: bool;
+    var phi_1690_: bool;
     var local_5: bool;
-    var phi_1691_: bool;
-    var phi_1695_: bool;
-    var phi_1696_: bool;
-    var phi_1697_: bool;
+    var phi_1694_: bool;
     var phi_1698_: bool;
-    var phi_1702_: bool;
-    var phi_1706_: f32;
+    var phi_1699_: bool;
+    var phi_1700_: bool;
+    var phi_1701_: bool;
+    var phi_1705_: bool;
+    var phi_1709_: f32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
@@ -355,1181 +364,1181 @@ fn function_() {
         } else {
             return;
         }
-        let _e84 = p.member.light;
-        let _e86 = samples.member[(0u + _e79)].position;
-        let _e88 = samples.member[(0u + _e79)].normal;
-        let _e90 = samples.member[(0u + _e79)].magnitude;
-        let _e92 = ((8f / 8388608f) * _e90);
-        let _e100 = (_e86.x + (_e88.x * _e92));
-        let _e102 = (_e86.y + (_e88.y * _e92));
-        let _e104 = (_e86.z + (_e88.z * _e92));
-        if (_e84.w == 0f) {
-            phi_238_ = 300000000000000000000000000000000000000f;
+        let _e85 = samples.member[(0u + _e79)].position;
+        let _e87 = samples.member[(0u + _e79)].normal;
+        let _e89 = samples.member[(0u + _e79)].magnitude;
+        let _e91 = ((8f / 8388608f) * _e89);
+        let _e99 = (_e85.x + (_e87.x * _e91));
+        let _e101 = (_e85.y + (_e87.y * _e91));
+        let _e103 = (_e85.z + (_e87.z * _e91));
+        let _e105 = p.member.light.place;
+        if (_e105.w == 0f) {
+            phi_241_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_238_ = 1f;
+            phi_241_ = 1f;
         }
-        let _e108 = phi_238_;
-        let _e116 = (_e84.x - (_e100 * _e84.w));
-        let _e117 = (_e84.y - (_e102 * _e84.w));
-        let _e118 = (_e84.z - (_e104 * _e84.w));
-        let _e123 = abs(_e116);
+        let _e109 = phi_241_;
+        let _e117 = (_e105.x - (_e99 * _e105.w));
+        let _e118 = (_e105.y - (_e101 * _e105.w));
+        let _e119 = (_e105.z - (_e103 * _e105.w));
         let _e124 = abs(_e117);
         let _e125 = abs(_e118);
-        if (abs(_e100) < 1000000000000000f) {
-            if (abs(_e102) < 1000000000000000f) {
-                if (abs(_e104) < 1000000000000000f) {
-                    if (_e123 < 1000000000000000f) {
-                        if (_e124 < 1000000000000000f) {
-                            if (_e125 < 1000000000000000f) {
-                                if (_e123 > 0f) {
-                                    phi_294_ = bool();
-                                    phi_295_ = true;
+        let _e126 = abs(_e119);
+        if (abs(_e99) < 1000000000000000f) {
+            if (abs(_e101) < 1000000000000000f) {
+                if (abs(_e103) < 1000000000000000f) {
+                    if (_e124 < 1000000000000000f) {
+                        if (_e125 < 1000000000000000f) {
+                            if (_e126 < 1000000000000000f) {
+                                if (_e124 > 0f) {
+                                    phi_297_ = bool();
+                                    phi_298_ = true;
                                 } else {
-                                    let _e133 = (_e124 > 0f);
-                                    if _e133 {
-                                        phi_293_ = bool();
+                                    let _e134 = (_e125 > 0f);
+                                    if _e134 {
+                                        phi_296_ = bool();
                                     } else {
-                                        phi_293_ = (_e125 > 0f);
+                                        phi_296_ = (_e126 > 0f);
                                     }
-                                    let _e136 = phi_293_;
-                                    phi_294_ = _e136;
-                                    phi_295_ = _e133;
+                                    let _e137 = phi_296_;
+                                    phi_297_ = _e137;
+                                    phi_298_ = _e134;
                                 }
-                                let _e138 = phi_294_;
-                                let _e140 = phi_295_;
-                                if _e140 {
-                                    phi_299_ = true;
+                                let _e139 = phi_297_;
+                                let _e141 = phi_298_;
+                                if _e141 {
+                                    phi_302_ = true;
                                 } else {
-                                    phi_299_ = _e138;
+                                    phi_302_ = _e139;
                                 }
-                                let _e142 = phi_299_;
-                                phi_300_ = _e142;
-                                phi_301_ = false;
+                                let _e143 = phi_302_;
+                                phi_303_ = _e143;
+                                phi_304_ = false;
                             } else {
-                                phi_300_ = bool();
-                                phi_301_ = true;
+                                phi_303_ = bool();
+                                phi_304_ = true;
                             }
-                            let _e144 = phi_300_;
-                            let _e146 = phi_301_;
-                            phi_302_ = _e144;
-                            phi_303_ = false;
-                            phi_304_ = _e146;
+                            let _e145 = phi_303_;
+                            let _e147 = phi_304_;
+                            phi_305_ = _e145;
+                            phi_306_ = false;
+                            phi_307_ = _e147;
                         } else {
-                            phi_302_ = bool();
-                            phi_303_ = true;
-                            phi_304_ = false;
+                            phi_305_ = bool();
+                            phi_306_ = true;
+                            phi_307_ = false;
                         }
-                        let _e148 = phi_302_;
-                        let _e150 = phi_303_;
-                        let _e152 = phi_304_;
-                        phi_305_ = _e148;
-                        phi_306_ = _e150;
-                        phi_307_ = _e152;
+                        let _e149 = phi_305_;
+                        let _e151 = phi_306_;
+                        let _e153 = phi_307_;
+                        phi_308_ = _e149;
+                        phi_309_ = _e151;
+                        phi_310_ = _e153;
                     } else {
-                        phi_305_ = bool();
-                        phi_306_ = true;
-                        phi_307_ = false;
+                        phi_308_ = bool();
+                        phi_309_ = true;
+                        phi_310_ = false;
                     }
-                    let _e154 = phi_305_;
-                    let _e156 = phi_306_;
-                    let _e158 = phi_307_;
-                    phi_308_ = _e154;
-                    phi_309_ = _e156;
-                    phi_310_ = _e158;
+                    let _e155 = phi_308_;
+                    let _e157 = phi_309_;
+                    let _e159 = phi_310_;
+                    phi_311_ = _e155;
+                    phi_312_ = _e157;
+                    phi_313_ = _e159;
                 } else {
-                    phi_308_ = bool();
-                    phi_309_ = true;
-                    phi_310_ = false;
+                    phi_311_ = bool();
+                    phi_312_ = true;
+                    phi_313_ = false;
                 }
-                let _e160 = phi_308_;
-                let _e162 = phi_309_;
-                let _e164 = phi_310_;
-                phi_311_ = _e160;
-                phi_312_ = _e162;
-                phi_313_ = _e164;
+                let _e161 = phi_311_;
+                let _e163 = phi_312_;
+                let _e165 = phi_313_;
+                phi_314_ = _e161;
+                phi_315_ = _e163;
+                phi_316_ = _e165;
             } else {
-                phi_311_ = bool();
-                phi_312_ = true;
-                phi_313_ = false;
+                phi_314_ = bool();
+                phi_315_ = true;
+                phi_316_ = false;
             }
-            let _e166 = phi_311_;
-            let _e168 = phi_312_;
-            let _e170 = phi_313_;
-            phi_314_ = _e166;
-            phi_315_ = _e168;
-            phi_316_ = _e170;
+            let _e167 = phi_314_;
+            let _e169 = phi_315_;
+            let _e171 = phi_316_;
+            phi_317_ = _e167;
+            phi_318_ = _e169;
+            phi_319_ = _e171;
         } else {
-            phi_314_ = bool();
-            phi_315_ = true;
-            phi_316_ = false;
+            phi_317_ = bool();
+            phi_318_ = true;
+            phi_319_ = false;
         }
-        let _e172 = phi_314_;
-        let _e174 = phi_315_;
-        let _e176 = phi_316_;
-        if _e174 {
-            phi_320_ = true;
+        let _e173 = phi_317_;
+        let _e175 = phi_318_;
+        let _e177 = phi_319_;
+        if _e175 {
+            phi_323_ = true;
         } else {
-            phi_320_ = _e176;
+            phi_323_ = _e177;
         }
-        let _e178 = phi_320_;
-        if _e178 {
-            phi_324_ = false;
+        let _e179 = phi_323_;
+        if _e179 {
+            phi_327_ = false;
         } else {
-            phi_324_ = _e172;
+            phi_327_ = _e173;
         }
-        let _e180 = phi_324_;
-        if _e180 {
-            let _e181 = (0u >= _e57);
-            if _e181 {
-                phi_1696_ = bool();
+        let _e181 = phi_327_;
+        if _e181 {
+            let _e182 = (0u >= _e57);
+            if _e182 {
+                phi_1699_ = bool();
             } else {
                 if (0u < _e57) {
                 } else {
                     return;
                 }
-                let _e187 = nodes.member[(0u + 0u)].frame[0u];
-                let _e191 = nodes.member[(0u + 0u)].frame[1u];
-                let _e195 = nodes.member[(0u + 0u)].frame[2u];
-                let _e199 = nodes.member[(0u + 0u)].frame[0u];
-                let _e203 = nodes.member[(0u + 0u)].frame[1u];
-                let _e207 = nodes.member[(0u + 0u)].frame[2u];
-                let _e211 = nodes.member[(0u + 0u)].frame[3u];
-                let _e245 = core_intrinsics_maximum_number_nsz_f32_(abs(_e116), abs(_e117));
-                let _e246 = core_intrinsics_maximum_number_nsz_f32_(_e245, abs(_e118));
-                let _e247 = (_e246 * 0.0000000000009094947f);
-                if (abs(_e116) < _e247) {
-                    phi_394_ = _e247;
+                let _e188 = nodes.member[(0u + 0u)].frame[0u];
+                let _e192 = nodes.member[(0u + 0u)].frame[1u];
+                let _e196 = nodes.member[(0u + 0u)].frame[2u];
+                let _e200 = nodes.member[(0u + 0u)].frame[0u];
+                let _e204 = nodes.member[(0u + 0u)].frame[1u];
+                let _e208 = nodes.member[(0u + 0u)].frame[2u];
+                let _e212 = nodes.member[(0u + 0u)].frame[3u];
+                let _e246 = core_intrinsics_maximum_number_nsz_f32_(abs(_e117), abs(_e118));
+                let _e247 = core_intrinsics_maximum_number_nsz_f32_(_e246, abs(_e119));
+                let _e248 = (_e247 * 0.0000000000009094947f);
+                if (abs(_e117) < _e248) {
+                    phi_397_ = _e248;
                 } else {
-                    phi_394_ = abs(_e116);
+                    phi_397_ = abs(_e117);
                 }
-                let _e252 = phi_394_;
-                if (_e116 < 0f) {
-                    phi_401_ = (-1f / _e252);
-                } else {
-                    phi_401_ = (1f / _e252);
-                }
-                let _e257 = phi_401_;
-                if (abs(_e117) < _e247) {
-                    phi_408_ = _e247;
-                } else {
-                    phi_408_ = abs(_e117);
-                }
-                let _e262 = phi_408_;
+                let _e253 = phi_397_;
                 if (_e117 < 0f) {
-                    phi_415_ = (-1f / _e262);
+                    phi_404_ = (-1f / _e253);
                 } else {
-                    phi_415_ = (1f / _e262);
+                    phi_404_ = (1f / _e253);
                 }
-                let _e267 = phi_415_;
-                if (abs(_e118) < _e247) {
-                    phi_422_ = _e247;
+                let _e258 = phi_404_;
+                if (abs(_e118) < _e248) {
+                    phi_411_ = _e248;
                 } else {
-                    phi_422_ = abs(_e118);
+                    phi_411_ = abs(_e118);
                 }
-                let _e272 = phi_422_;
+                let _e263 = phi_411_;
                 if (_e118 < 0f) {
-                    phi_429_ = (-1f / _e272);
+                    phi_418_ = (-1f / _e263);
                 } else {
-                    phi_429_ = (1f / _e272);
+                    phi_418_ = (1f / _e263);
                 }
-                let _e277 = phi_429_;
-                let _e281 = abs((bitcast<f32>(_e187) - _e100));
-                let _e282 = abs((bitcast<f32>(_e191) - _e102));
-                let _e283 = abs((bitcast<f32>(_e195) - _e104));
-                let _e287 = abs(((bitcast<f32>(_e199) + (bitcast<f32>((((_e211 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e100));
-                let _e288 = abs(((bitcast<f32>(_e203) + (bitcast<f32>((((_e211 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e102));
-                let _e289 = abs(((bitcast<f32>(_e207) + (bitcast<f32>((((_e211 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e104));
-                if (_e281 > _e287) {
-                    phi_446_ = _e281;
+                let _e268 = phi_418_;
+                if (abs(_e119) < _e248) {
+                    phi_425_ = _e248;
                 } else {
-                    phi_446_ = _e287;
+                    phi_425_ = abs(_e119);
                 }
-                let _e292 = phi_446_;
+                let _e273 = phi_425_;
+                if (_e119 < 0f) {
+                    phi_432_ = (-1f / _e273);
+                } else {
+                    phi_432_ = (1f / _e273);
+                }
+                let _e278 = phi_432_;
+                let _e282 = abs((bitcast<f32>(_e188) - _e99));
+                let _e283 = abs((bitcast<f32>(_e192) - _e101));
+                let _e284 = abs((bitcast<f32>(_e196) - _e103));
+                let _e288 = abs(((bitcast<f32>(_e200) + (bitcast<f32>((((_e212 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e99));
+                let _e289 = abs(((bitcast<f32>(_e204) + (bitcast<f32>((((_e212 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e101));
+                let _e290 = abs(((bitcast<f32>(_e208) + (bitcast<f32>((((_e212 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e103));
                 if (_e282 > _e288) {
-                    phi_451_ = _e282;
+                    phi_449_ = _e282;
                 } else {
-                    phi_451_ = _e288;
+                    phi_449_ = _e288;
                 }
-                let _e295 = phi_451_;
+                let _e293 = phi_449_;
                 if (_e283 > _e289) {
-                    phi_456_ = _e283;
+                    phi_454_ = _e283;
                 } else {
-                    phi_456_ = _e289;
+                    phi_454_ = _e289;
                 }
-                let _e298 = phi_456_;
-                let _e299 = core_intrinsics_maximum_number_nsz_f32_(_e292, _e295);
-                let _e300 = core_intrinsics_maximum_number_nsz_f32_(_e299, _e298);
-                let _e304 = (_e300 * 0.0000019073486f);
-                let _e305 = (abs(_e257) * _e304);
-                let _e306 = (abs(_e267) * _e304);
-                let _e307 = (abs(_e277) * _e304);
-                let _e311 = (_e300 * 0.0000009536743f);
-                let _e312 = (abs(_e257) * _e311);
-                let _e313 = (abs(_e267) * _e311);
-                let _e314 = (abs(_e277) * _e311);
-                let _e315 = abs(_e116);
+                let _e296 = phi_454_;
+                if (_e284 > _e290) {
+                    phi_459_ = _e284;
+                } else {
+                    phi_459_ = _e290;
+                }
+                let _e299 = phi_459_;
+                let _e300 = core_intrinsics_maximum_number_nsz_f32_(_e293, _e296);
+                let _e301 = core_intrinsics_maximum_number_nsz_f32_(_e300, _e299);
+                let _e305 = (_e301 * 0.0000019073486f);
+                let _e306 = (abs(_e258) * _e305);
+                let _e307 = (abs(_e268) * _e305);
+                let _e308 = (abs(_e278) * _e305);
+                let _e312 = (_e301 * 0.0000009536743f);
+                let _e313 = (abs(_e258) * _e312);
+                let _e314 = (abs(_e268) * _e312);
+                let _e315 = (abs(_e278) * _e312);
                 let _e316 = abs(_e117);
                 let _e317 = abs(_e118);
-                if (_e315 >= _e316) {
-                    if (_e315 >= _e317) {
-                        phi_484_ = false;
+                let _e318 = abs(_e119);
+                if (_e316 >= _e317) {
+                    if (_e316 >= _e318) {
+                        phi_487_ = false;
                     } else {
-                        phi_484_ = true;
+                        phi_487_ = true;
                     }
-                    let _e321 = phi_484_;
-                    phi_485_ = _e321;
+                    let _e322 = phi_487_;
+                    phi_488_ = _e322;
                 } else {
-                    phi_485_ = true;
+                    phi_488_ = true;
                 }
-                let _e323 = phi_485_;
-                if _e323 {
-                    if (_e316 >= _e317) {
-                        phi_493_ = 1u;
+                let _e324 = phi_488_;
+                if _e324 {
+                    if (_e317 >= _e318) {
+                        phi_496_ = 1u;
                     } else {
-                        phi_493_ = 2u;
+                        phi_496_ = 2u;
                     }
-                    let _e326 = phi_493_;
-                    phi_494_ = _e326;
+                    let _e327 = phi_496_;
+                    phi_497_ = _e327;
                 } else {
-                    phi_494_ = 0u;
+                    phi_497_ = 0u;
                 }
-                let _e328 = phi_494_;
-                if (_e328 == 0u) {
-                    phi_506_ = vec3<f32>(_e117, _e118, _e116);
+                let _e329 = phi_497_;
+                if (_e329 == 0u) {
+                    phi_509_ = vec3<f32>(_e118, _e119, _e117);
                 } else {
-                    if (_e328 == 1u) {
-                        phi_505_ = vec3<f32>(_e118, _e116, _e117);
+                    if (_e329 == 1u) {
+                        phi_508_ = vec3<f32>(_e119, _e117, _e118);
                     } else {
-                        phi_505_ = vec3<f32>(_e116, _e117, _e118);
+                        phi_508_ = vec3<f32>(_e117, _e118, _e119);
                     }
-                    let _e334 = phi_505_;
-                    phi_506_ = _e334;
+                    let _e335 = phi_508_;
+                    phi_509_ = _e335;
                 }
-                let _e336 = phi_506_;
-                let _e339 = (_e336.x / _e336.z);
-                let _e342 = (_e336.y / _e336.z);
-                if (_e257 < 0f) {
-                    phi_519_ = 0u;
+                let _e337 = phi_509_;
+                let _e340 = (_e337.x / _e337.z);
+                let _e343 = (_e337.y / _e337.z);
+                if (_e258 < 0f) {
+                    phi_522_ = 0u;
                 } else {
-                    phi_519_ = 1u;
+                    phi_522_ = 1u;
                 }
-                let _e347 = phi_519_;
-                if (_e267 < 0f) {
-                    phi_524_ = 0u;
+                let _e348 = phi_522_;
+                if (_e268 < 0f) {
+                    phi_527_ = 0u;
                 } else {
-                    phi_524_ = 2u;
+                    phi_527_ = 2u;
                 }
-                let _e350 = phi_524_;
-                if (_e277 < 0f) {
-                    phi_529_ = 0u;
+                let _e351 = phi_527_;
+                if (_e278 < 0f) {
+                    phi_532_ = 0u;
                 } else {
-                    phi_529_ = 4u;
+                    phi_532_ = 4u;
                 }
-                let _e353 = phi_529_;
-                let _e355 = ((_e347 | _e350) | _e353);
-                let _e356 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local = lt_bvh_traverse_Stack(array<u32, 32>(_e356.first[0], _e356.first[1], _e356.first[2], _e356.first[3], _e356.first[4], _e356.first[5], _e356.first[6], _e356.first[7], _e356.first[8], _e356.first[9], _e356.first[10], _e356.first[11], _e356.first[12], _e356.first[13], _e356.first[14], _e356.first[15], _e356.first[16], _e356.first[17], _e356.first[18], _e356.first[19], _e356.first[20], _e356.first[21], _e356.first[22], _e356.first[23], _e356.first[24], _e356.first[25], _e356.first[26], _e356.first[27], _e356.first[28], _e356.first[29], _e356.first[30], _e356.first[31]), array<u32, 32>(_e356.mask[0], _e356.mask[1], _e356.mask[2], _e356.mask[3], _e356.mask[4], _e356.mask[5], _e356.mask[6], _e356.mask[7], _e356.mask[8], _e356.mask[9], _e356.mask[10], _e356.mask[11], _e356.mask[12], _e356.mask[13], _e356.mask[14], _e356.mask[15], _e356.mask[16], _e356.mask[17], _e356.mask[18], _e356.mask[19], _e356.mask[20], _e356.mask[21], _e356.mask[22], _e356.mask[23], _e356.mask[24], _e356.mask[25], _e356.mask[26], _e356.mask[27], _e356.mask[28], _e356.mask[29], _e356.mask[30], _e356.mask[31]), _e356.len, _e356.group, _e356.group_mask);
-                let _e430 = local.group_mask;
-                if ((_e430 & 4278190080u) == 0u) {
-                    let _e434 = local.len;
-                    if (_e434 == 0u) {
-                        phi_643_ = false;
+                let _e354 = phi_532_;
+                let _e356 = ((_e348 | _e351) | _e354);
+                let _e357 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local = lt_bvh_traverse_Stack(array<u32, 32>(_e357.first[0], _e357.first[1], _e357.first[2], _e357.first[3], _e357.first[4], _e357.first[5], _e357.first[6], _e357.first[7], _e357.first[8], _e357.first[9], _e357.first[10], _e357.first[11], _e357.first[12], _e357.first[13], _e357.first[14], _e357.first[15], _e357.first[16], _e357.first[17], _e357.first[18], _e357.first[19], _e357.first[20], _e357.first[21], _e357.first[22], _e357.first[23], _e357.first[24], _e357.first[25], _e357.first[26], _e357.first[27], _e357.first[28], _e357.first[29], _e357.first[30], _e357.first[31]), array<u32, 32>(_e357.mask[0], _e357.mask[1], _e357.mask[2], _e357.mask[3], _e357.mask[4], _e357.mask[5], _e357.mask[6], _e357.mask[7], _e357.mask[8], _e357.mask[9], _e357.mask[10], _e357.mask[11], _e357.mask[12], _e357.mask[13], _e357.mask[14], _e357.mask[15], _e357.mask[16], _e357.mask[17], _e357.mask[18], _e357.mask[19], _e357.mask[20], _e357.mask[21], _e357.mask[22], _e357.mask[23], _e357.mask[24], _e357.mask[25], _e357.mask[26], _e357.mask[27], _e357.mask[28], _e357.mask[29], _e357.mask[30], _e357.mask[31]), _e357.len, _e357.group, _e357.group_mask);
+                let _e431 = local.group_mask;
+                if ((_e431 & 4278190080u) == 0u) {
+                    let _e435 = local.len;
+                    if (_e435 == 0u) {
+                        phi_646_ = false;
                     } else {
-                        let _e438 = local.len;
-                        local.len = (_e438 - 1u);
-                        let _e441 = local.len;
-                        if (_e441 < 32u) {
+                        let _e439 = local.len;
+                        local.len = (_e439 - 1u);
+                        let _e442 = local.len;
+                        if (_e442 < 32u) {
                         } else {
                             return;
                         }
-                        let _e446 = local.first[(0u + _e441)];
-                        local.group = _e446;
-                        let _e449 = local.len;
-                        if (_e449 < 32u) {
+                        let _e447 = local.first[(0u + _e442)];
+                        local.group = _e447;
+                        let _e450 = local.len;
+                        if (_e450 < 32u) {
                         } else {
                             return;
                         }
-                        let _e454 = local.mask[(0u + _e449)];
-                        local.group_mask = _e454;
-                        phi_643_ = true;
+                        let _e455 = local.mask[(0u + _e450)];
+                        local.group_mask = _e455;
+                        phi_646_ = true;
                     }
-                    let _e457 = phi_643_;
-                    phi_644_ = _e457;
+                    let _e458 = phi_646_;
+                    phi_647_ = _e458;
                 } else {
-                    phi_644_ = true;
+                    phi_647_ = true;
                 }
-                let _e459 = phi_644_;
-                if _e459 {
-                    let _e461 = local.group_mask;
-                    let _e467 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e461)), 32u, (_e461 == 0u)));
-                    let _e471 = local.group_mask;
-                    let _e485 = local.group_mask;
-                    local.group_mask = (_e485 & ~((1u << bitcast<u32>((_e467 & 31u)))));
-                    let _e488 = local.group;
-                    phi_675_ = (_e488 + countOneBits(((_e471 & ~((4294967295u << bitcast<u32>((((_e467 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e460 = phi_647_;
+                if _e460 {
+                    let _e462 = local.group_mask;
+                    let _e468 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e462)), 32u, (_e462 == 0u)));
+                    let _e472 = local.group_mask;
+                    let _e486 = local.group_mask;
+                    local.group_mask = (_e486 & ~((1u << bitcast<u32>((_e468 & 31u)))));
+                    let _e489 = local.group;
+                    phi_678_ = (_e489 + countOneBits(((_e472 & ~((4294967295u << bitcast<u32>((((_e468 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_675_ = 4294967295u;
+                    phi_678_ = 4294967295u;
                 }
-                let _e491 = phi_675_;
-                phi_677_ = _e491;
-                phi_680_ = false;
+                let _e492 = phi_678_;
+                phi_680_ = _e492;
+                phi_683_ = false;
                 loop {
-                    let _e493 = phi_677_;
-                    let _e495 = phi_680_;
-                    local_8 = _e495;
-                    if (_e493 != 4294967295u) {
-                        if (_e493 < _e57) {
+                    let _e494 = phi_680_;
+                    let _e496 = phi_683_;
+                    local_8 = _e496;
+                    if (_e494 != 4294967295u) {
+                        if (_e494 < _e57) {
                         } else {
                             return;
                         }
-                        let _e502 = nodes.member[(0u + _e493)].frame[3u];
-                        let _e527 = (bitcast<f32>((((_e502 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e257);
-                        let _e528 = (bitcast<f32>((((_e502 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e267);
-                        let _e529 = (bitcast<f32>((((_e502 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e277);
-                        let _e532 = nodes.member[(0u + _e493)].frame[0u];
-                        let _e536 = nodes.member[(0u + _e493)].frame[1u];
-                        let _e540 = nodes.member[(0u + _e493)].frame[2u];
-                        let _e545 = ((bitcast<f32>(_e532) - _e100) * _e257);
-                        let _e546 = ((bitcast<f32>(_e536) - _e102) * _e267);
-                        let _e547 = ((bitcast<f32>(_e540) - _e104) * _e277);
-                        let _e555 = nodes.member[(0u + _e493)].x;
-                        if (_e257 < 0f) {
-                            let _e566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e566.unnamed.root, _e555.w), _e566.unnamed_1);
-                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e572.unnamed, lt_bvh_traverse_Tree(_e555.x, _e572.unnamed_1.first_primitive));
-                            phi_760_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e578.unnamed_1.root, _e555.y));
+                        let _e503 = nodes.member[(0u + _e494)].frame[3u];
+                        let _e528 = (bitcast<f32>((((_e503 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e258);
+                        let _e529 = (bitcast<f32>((((_e503 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e268);
+                        let _e530 = (bitcast<f32>((((_e503 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e278);
+                        let _e533 = nodes.member[(0u + _e494)].frame[0u];
+                        let _e537 = nodes.member[(0u + _e494)].frame[1u];
+                        let _e541 = nodes.member[(0u + _e494)].frame[2u];
+                        let _e546 = ((bitcast<f32>(_e533) - _e99) * _e258);
+                        let _e547 = ((bitcast<f32>(_e537) - _e101) * _e268);
+                        let _e548 = ((bitcast<f32>(_e541) - _e103) * _e278);
+                        let _e556 = nodes.member[(0u + _e494)].x;
+                        if (_e258 < 0f) {
+                            let _e567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e556.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e567.unnamed.root, _e556.w), _e567.unnamed_1);
+                            let _e579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e573.unnamed, lt_bvh_traverse_Tree(_e556.x, _e573.unnamed_1.first_primitive));
+                            phi_763_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e579.unnamed, lt_bvh_traverse_Tree(_e579.unnamed_1.root, _e556.y));
                         } else {
-                            let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.unnamed.root, _e555.y), _e594.unnamed_1);
-                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_bvh_traverse_Tree(_e555.z, _e600.unnamed_1.first_primitive));
-                            phi_760_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e555.w));
+                            let _e595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e556.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e595.unnamed.root, _e556.y), _e595.unnamed_1);
+                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e601.unnamed, lt_bvh_traverse_Tree(_e556.z, _e601.unnamed_1.first_primitive));
+                            phi_763_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_bvh_traverse_Tree(_e607.unnamed_1.root, _e556.w));
                         }
-                        let _e614 = phi_760_;
-                        let _e624 = nodes.member[(0u + _e493)].y;
-                        if (_e267 < 0f) {
-                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e635.unnamed.root, _e624.w), _e635.unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_bvh_traverse_Tree(_e624.x, _e641.unnamed_1.first_primitive));
-                            phi_787_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e647.unnamed_1.root, _e624.y));
+                        let _e615 = phi_763_;
+                        let _e625 = nodes.member[(0u + _e494)].y;
+                        if (_e268 < 0f) {
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e625.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e636.unnamed.root, _e625.w), _e636.unnamed_1);
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_bvh_traverse_Tree(_e625.x, _e642.unnamed_1.first_primitive));
+                            phi_790_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e648.unnamed_1.root, _e625.y));
                         } else {
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.unnamed.root, _e624.y), _e663.unnamed_1);
-                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e624.z, _e669.unnamed_1.first_primitive));
-                            phi_787_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e624.w));
+                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e625.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e664.unnamed.root, _e625.y), _e664.unnamed_1);
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e670.unnamed, lt_bvh_traverse_Tree(_e625.z, _e670.unnamed_1.first_primitive));
+                            phi_790_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_bvh_traverse_Tree(_e676.unnamed_1.root, _e625.w));
                         }
-                        let _e683 = phi_787_;
-                        let _e693 = nodes.member[(0u + _e493)].z;
-                        if (_e277 < 0f) {
-                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.unnamed.root, _e693.w), _e704.unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_bvh_traverse_Tree(_e693.x, _e710.unnamed_1.first_primitive));
-                            phi_814_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e716.unnamed_1.root, _e693.y));
+                        let _e684 = phi_790_;
+                        let _e694 = nodes.member[(0u + _e494)].z;
+                        if (_e278 < 0f) {
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e694.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e705.unnamed.root, _e694.w), _e705.unnamed_1);
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_bvh_traverse_Tree(_e694.x, _e711.unnamed_1.first_primitive));
+                            phi_817_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e717.unnamed_1.root, _e694.y));
                         } else {
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.unnamed.root, _e693.y), _e732.unnamed_1);
-                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e693.z, _e738.unnamed_1.first_primitive));
-                            phi_814_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e693.w));
+                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e694.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e733.unnamed.root, _e694.y), _e733.unnamed_1);
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e694.z, _e739.unnamed_1.first_primitive));
+                            phi_817_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_bvh_traverse_Tree(_e745.unnamed_1.root, _e694.w));
                         }
-                        let _e752 = phi_814_;
-                        phi_820_ = 0u;
+                        let _e753 = phi_817_;
                         phi_823_ = 0u;
+                        phi_826_ = 0u;
                         loop {
-                            let _e762 = phi_820_;
-                            let _e764 = phi_823_;
-                            local_1 = _e764;
-                            local_2 = _e764;
-                            local_3 = _e764;
-                            let _e765 = (_e762 < 8u);
-                            if _e765 {
-                                let _e767 = (_e762 >> bitcast<u32>(2i));
-                                let _e768 = (_e762 & 3u);
-                                if (_e767 == 0u) {
-                                    phi_837_ = _e614.unnamed.root;
+                            let _e763 = phi_823_;
+                            let _e765 = phi_826_;
+                            local_1 = _e765;
+                            local_2 = _e765;
+                            local_3 = _e765;
+                            let _e766 = (_e763 < 8u);
+                            if _e766 {
+                                let _e768 = (_e763 >> bitcast<u32>(2i));
+                                let _e769 = (_e763 & 3u);
+                                if (_e768 == 0u) {
+                                    phi_840_ = _e615.unnamed.root;
                                 } else {
-                                    phi_837_ = _e614.unnamed.first_primitive;
+                                    phi_840_ = _e615.unnamed.first_primitive;
                                 }
-                                let _e771 = phi_837_;
-                                if (_e767 == 0u) {
-                                    phi_847_ = _e683.unnamed.root;
+                                let _e772 = phi_840_;
+                                if (_e768 == 0u) {
+                                    phi_850_ = _e684.unnamed.root;
                                 } else {
-                                    phi_847_ = _e683.unnamed.first_primitive;
+                                    phi_850_ = _e684.unnamed.first_primitive;
                                 }
-                                let _e780 = phi_847_;
-                                if (_e767 == 0u) {
-                                    phi_857_ = _e752.unnamed.root;
+                                let _e781 = phi_850_;
+                                if (_e768 == 0u) {
+                                    phi_860_ = _e753.unnamed.root;
                                 } else {
-                                    phi_857_ = _e752.unnamed.first_primitive;
+                                    phi_860_ = _e753.unnamed.first_primitive;
                                 }
-                                let _e789 = phi_857_;
-                                let _e802 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e771 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e305)), ((f32(((_e780 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e306)));
-                                let _e803 = core_intrinsics_maximum_number_nsz_f32_(_e802, ((f32(((_e789 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e307)));
-                                if (_e767 == 0u) {
-                                    phi_875_ = _e614.unnamed_1.root;
+                                let _e790 = phi_860_;
+                                let _e803 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e772 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e306)), ((f32(((_e781 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e307)));
+                                let _e804 = core_intrinsics_maximum_number_nsz_f32_(_e803, ((f32(((_e790 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e530) + (_e548 - _e308)));
+                                if (_e768 == 0u) {
+                                    phi_878_ = _e615.unnamed_1.root;
                                 } else {
-                                    phi_875_ = _e614.unnamed_1.first_primitive;
+                                    phi_878_ = _e615.unnamed_1.first_primitive;
                                 }
-                                let _e806 = phi_875_;
-                                if (_e767 == 0u) {
-                                    phi_885_ = _e683.unnamed_1.root;
+                                let _e807 = phi_878_;
+                                if (_e768 == 0u) {
+                                    phi_888_ = _e684.unnamed_1.root;
                                 } else {
-                                    phi_885_ = _e683.unnamed_1.first_primitive;
+                                    phi_888_ = _e684.unnamed_1.first_primitive;
                                 }
-                                let _e815 = phi_885_;
-                                if (_e767 == 0u) {
-                                    phi_895_ = _e752.unnamed_1.root;
+                                let _e816 = phi_888_;
+                                if (_e768 == 0u) {
+                                    phi_898_ = _e753.unnamed_1.root;
                                 } else {
-                                    phi_895_ = _e752.unnamed_1.first_primitive;
+                                    phi_898_ = _e753.unnamed_1.first_primitive;
                                 }
-                                let _e824 = phi_895_;
-                                let _e837 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e806 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e305)), ((f32(((_e815 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e306)));
-                                let _e838 = core_intrinsics_minimum_number_nsz_f32_(_e837, ((f32(((_e824 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e307)));
-                                if (_e803 <= _e838) {
-                                    if (_e803 <= _e108) {
-                                        if (_e838 >= 0f) {
-                                            if (_e767 == 0u) {
-                                                let _e845 = nodes.member[(0u + _e493)].links[2u];
-                                                phi_931_ = _e845;
+                                let _e825 = phi_898_;
+                                let _e838 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e807 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e306)), ((f32(((_e816 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e307)));
+                                let _e839 = core_intrinsics_minimum_number_nsz_f32_(_e838, ((f32(((_e825 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e530) + (_e548 + _e308)));
+                                if (_e804 <= _e839) {
+                                    if (_e804 <= _e109) {
+                                        if (_e839 >= 0f) {
+                                            if (_e768 == 0u) {
+                                                let _e846 = nodes.member[(0u + _e494)].links[2u];
+                                                phi_934_ = _e846;
                                             } else {
-                                                let _e848 = nodes.member[(0u + _e493)].links[3u];
-                                                phi_931_ = _e848;
+                                                let _e849 = nodes.member[(0u + _e494)].links[3u];
+                                                phi_934_ = _e849;
                                             }
-                                            let _e850 = phi_931_;
-                                            let _e855 = ((_e850 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u);
-                                            let _e856 = (_e855 & 31u);
-                                            if (_e856 >= 24u) {
-                                                phi_944_ = (24u + ((_e856 - 24u) ^ _e355));
+                                            let _e851 = phi_934_;
+                                            let _e856 = ((_e851 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u);
+                                            let _e857 = (_e856 & 31u);
+                                            if (_e857 >= 24u) {
+                                                phi_947_ = (24u + ((_e857 - 24u) ^ _e356));
                                             } else {
-                                                phi_944_ = _e856;
+                                                phi_947_ = _e857;
                                             }
-                                            let _e862 = phi_944_;
-                                            phi_949_ = (_e764 | ((_e855 >> bitcast<u32>(5i)) << bitcast<u32>((_e862 & 31u))));
+                                            let _e863 = phi_947_;
+                                            phi_952_ = (_e765 | ((_e856 >> bitcast<u32>(5i)) << bitcast<u32>((_e863 & 31u))));
                                         } else {
-                                            phi_949_ = _e764;
+                                            phi_952_ = _e765;
                                         }
-                                        let _e870 = phi_949_;
-                                        phi_950_ = _e870;
+                                        let _e871 = phi_952_;
+                                        phi_953_ = _e871;
                                     } else {
-                                        phi_950_ = _e764;
+                                        phi_953_ = _e765;
                                     }
-                                    let _e872 = phi_950_;
-                                    phi_951_ = _e872;
+                                    let _e873 = phi_953_;
+                                    phi_954_ = _e873;
                                 } else {
-                                    phi_951_ = _e764;
+                                    phi_954_ = _e765;
                                 }
-                                let _e874 = phi_951_;
-                                phi_821_ = (_e762 + 1u);
-                                phi_824_ = _e874;
+                                let _e875 = phi_954_;
+                                phi_824_ = (_e763 + 1u);
+                                phi_827_ = _e875;
                             } else {
-                                phi_821_ = u32();
                                 phi_824_ = u32();
+                                phi_827_ = u32();
                             }
-                            let _e877 = phi_821_;
-                            let _e879 = phi_824_;
+                            let _e878 = phi_824_;
+                            let _e880 = phi_827_;
                             continue;
                             continuing {
-                                phi_820_ = _e877;
-                                phi_823_ = _e879;
-                                break if !(_e765);
+                                phi_823_ = _e878;
+                                phi_826_ = _e880;
+                                break if !(_e766);
                             }
                         }
-                        let _e883 = nodes.member[(0u + _e493)].links[0u];
-                        let _e887 = nodes.member[(0u + _e493)].frame[3u];
-                        let _e891 = local_1;
-                        if ((_e891 & 4278190080u) == 0u) {
+                        let _e884 = nodes.member[(0u + _e494)].links[0u];
+                        let _e888 = nodes.member[(0u + _e494)].frame[3u];
+                        let _e892 = local_1;
+                        if ((_e892 & 4278190080u) == 0u) {
                         } else {
-                            let _e895 = local.group_mask;
-                            if ((_e895 & 4278190080u) == 0u) {
+                            let _e896 = local.group_mask;
+                            if ((_e896 & 4278190080u) == 0u) {
                             } else {
-                                let _e899 = local.len;
-                                if (_e899 < 32u) {
-                                    let _e902 = local.group;
-                                    let _e904 = local.len;
-                                    if (_e904 < 32u) {
+                                let _e900 = local.len;
+                                if (_e900 < 32u) {
+                                    let _e903 = local.group;
+                                    let _e905 = local.len;
+                                    if (_e905 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e904)] = _e902;
-                                    let _e910 = local.group_mask;
-                                    let _e912 = local.len;
-                                    if (_e912 < 32u) {
+                                    local.first[(0u + _e905)] = _e903;
+                                    let _e911 = local.group_mask;
+                                    let _e913 = local.len;
+                                    if (_e913 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e912)] = _e910;
-                                    let _e919 = local.len;
-                                    local.len = (_e919 + 1u);
+                                    local.mask[(0u + _e913)] = _e911;
+                                    let _e920 = local.len;
+                                    local.len = (_e920 + 1u);
                                 }
                             }
-                            local.group = (0u + _e883);
-                            let _e923 = local_2;
-                            local.group_mask = ((_e923 & 4278190080u) | (_e887 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e884);
+                            let _e924 = local_2;
+                            local.group_mask = ((_e924 & 4278190080u) | (_e888 >> bitcast<u32>(24i)));
                         }
-                        let _e928 = local_3;
-                        phi_1009_ = (_e928 & 16777215u);
-                        phi_1012_ = _e495;
+                        let _e929 = local_3;
+                        phi_1012_ = (_e929 & 16777215u);
+                        phi_1015_ = _e496;
                         loop {
-                            let _e931 = phi_1009_;
-                            let _e933 = phi_1012_;
-                            local_6 = _e933;
-                            let _e934 = (_e931 == 0u);
-                            local_4 = _e934;
-                            local_7 = _e934;
-                            if _e934 {
-                                phi_1010_ = u32();
-                                phi_1013_ = bool();
-                                phi_1610_ = false;
+                            let _e932 = phi_1012_;
+                            let _e934 = phi_1015_;
+                            local_6 = _e934;
+                            let _e935 = (_e932 == 0u);
+                            local_4 = _e935;
+                            local_7 = _e935;
+                            if _e935 {
+                                phi_1013_ = u32();
+                                phi_1016_ = bool();
+                                phi_1613_ = false;
                             } else {
-                                let _e937 = nodes.member[(0u + _e493)].links[1u];
-                                let _e942 = ((0u + _e937) + select(firstTrailingBit(_e931), 32u, (_e931 == 0u)));
-                                if (_e942 < arrayLength((&triangles.member))) {
+                                let _e938 = nodes.member[(0u + _e494)].links[1u];
+                                let _e943 = ((0u + _e938) + select(firstTrailingBit(_e932), 32u, (_e932 == 0u)));
+                                if (_e943 < arrayLength((&triangles.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e949 = triangles.member[(0u + _e942)].v0_;
-                                let _e951 = (_e949.x - _e100);
-                                let _e953 = (_e949.y - _e102);
-                                let _e955 = (_e949.z - _e104);
-                                if (_e328 == 0u) {
-                                    phi_1057_ = vec3<f32>(_e953, _e955, _e951);
+                                let _e950 = triangles.member[(0u + _e943)].v0_;
+                                let _e952 = (_e950.x - _e99);
+                                let _e954 = (_e950.y - _e101);
+                                let _e956 = (_e950.z - _e103);
+                                if (_e329 == 0u) {
+                                    phi_1060_ = vec3<f32>(_e954, _e956, _e952);
                                 } else {
-                                    if (_e328 == 1u) {
-                                        phi_1056_ = vec3<f32>(_e955, _e951, _e953);
+                                    if (_e329 == 1u) {
+                                        phi_1059_ = vec3<f32>(_e956, _e952, _e954);
                                     } else {
-                                        phi_1056_ = (_e949 - vec3<f32>(_e100, _e102, _e104));
+                                        phi_1059_ = (_e950 - vec3<f32>(_e99, _e101, _e103));
                                     }
-                                    let _e963 = phi_1056_;
-                                    phi_1057_ = _e963;
+                                    let _e964 = phi_1059_;
+                                    phi_1060_ = _e964;
                                 }
-                                let _e965 = phi_1057_;
-                                let _e969 = (_e965.x - (_e339 * _e965.z));
-                                let _e973 = (_e965.y - (_e342 * _e965.z));
-                                let _e975 = triangles.member[(0u + _e942)].v1_;
-                                let _e977 = (_e975.x - _e100);
-                                let _e979 = (_e975.y - _e102);
-                                let _e981 = (_e975.z - _e104);
-                                if (_e328 == 0u) {
-                                    phi_1087_ = vec3<f32>(_e979, _e981, _e977);
+                                let _e966 = phi_1060_;
+                                let _e970 = (_e966.x - (_e340 * _e966.z));
+                                let _e974 = (_e966.y - (_e343 * _e966.z));
+                                let _e976 = triangles.member[(0u + _e943)].v1_;
+                                let _e978 = (_e976.x - _e99);
+                                let _e980 = (_e976.y - _e101);
+                                let _e982 = (_e976.z - _e103);
+                                if (_e329 == 0u) {
+                                    phi_1090_ = vec3<f32>(_e980, _e982, _e978);
                                 } else {
-                                    if (_e328 == 1u) {
-                                        phi_1086_ = vec3<f32>(_e981, _e977, _e979);
+                                    if (_e329 == 1u) {
+                                        phi_1089_ = vec3<f32>(_e982, _e978, _e980);
                                     } else {
-                                        phi_1086_ = (_e975 - vec3<f32>(_e100, _e102, _e104));
+                                        phi_1089_ = (_e976 - vec3<f32>(_e99, _e101, _e103));
                                     }
-                                    let _e989 = phi_1086_;
-                                    phi_1087_ = _e989;
+                                    let _e990 = phi_1089_;
+                                    phi_1090_ = _e990;
                                 }
-                                let _e991 = phi_1087_;
-                                let _e995 = (_e991.x - (_e339 * _e991.z));
-                                let _e999 = (_e991.y - (_e342 * _e991.z));
-                                let _e1001 = triangles.member[(0u + _e942)].v2_;
-                                let _e1003 = (_e1001.x - _e100);
-                                let _e1005 = (_e1001.y - _e102);
-                                let _e1007 = (_e1001.z - _e104);
-                                if (_e328 == 0u) {
-                                    phi_1117_ = vec3<f32>(_e1005, _e1007, _e1003);
+                                let _e992 = phi_1090_;
+                                let _e996 = (_e992.x - (_e340 * _e992.z));
+                                let _e1000 = (_e992.y - (_e343 * _e992.z));
+                                let _e1002 = triangles.member[(0u + _e943)].v2_;
+                                let _e1004 = (_e1002.x - _e99);
+                                let _e1006 = (_e1002.y - _e101);
+                                let _e1008 = (_e1002.z - _e103);
+                                if (_e329 == 0u) {
+                                    phi_1120_ = vec3<f32>(_e1006, _e1008, _e1004);
                                 } else {
-                                    if (_e328 == 1u) {
-                                        phi_1116_ = vec3<f32>(_e1007, _e1003, _e1005);
+                                    if (_e329 == 1u) {
+                                        phi_1119_ = vec3<f32>(_e1008, _e1004, _e1006);
                                     } else {
-                                        phi_1116_ = (_e1001 - vec3<f32>(_e100, _e102, _e104));
+                                        phi_1119_ = (_e1002 - vec3<f32>(_e99, _e101, _e103));
                                     }
-                                    let _e1015 = phi_1116_;
-                                    phi_1117_ = _e1015;
+                                    let _e1016 = phi_1119_;
+                                    phi_1120_ = _e1016;
                                 }
-                                let _e1017 = phi_1117_;
-                                let _e1021 = (_e1017.x - (_e339 * _e1017.z));
-                                let _e1025 = (_e1017.y - (_e342 * _e1017.z));
-                                if (_e995 < _e1021) {
-                                    phi_1136_ = true;
+                                let _e1018 = phi_1120_;
+                                let _e1022 = (_e1018.x - (_e340 * _e1018.z));
+                                let _e1026 = (_e1018.y - (_e343 * _e1018.z));
+                                if (_e996 < _e1022) {
+                                    phi_1139_ = true;
                                 } else {
-                                    if (_e995 == _e1021) {
-                                        phi_1135_ = (_e999 < _e1025);
+                                    if (_e996 == _e1022) {
+                                        phi_1138_ = (_e1000 < _e1026);
                                     } else {
-                                        phi_1135_ = false;
+                                        phi_1138_ = false;
                                     }
-                                    let _e1030 = phi_1135_;
-                                    phi_1136_ = _e1030;
+                                    let _e1031 = phi_1138_;
+                                    phi_1139_ = _e1031;
                                 }
-                                let _e1032 = phi_1136_;
-                                if _e1032 {
-                                    phi_1140_ = _e1025;
-                                    phi_1141_ = _e1021;
-                                    phi_1142_ = _e999;
-                                    phi_1143_ = _e995;
+                                let _e1033 = phi_1139_;
+                                if _e1033 {
+                                    phi_1143_ = _e1026;
+                                    phi_1144_ = _e1022;
+                                    phi_1145_ = _e1000;
+                                    phi_1146_ = _e996;
                                 } else {
-                                    phi_1140_ = _e999;
-                                    phi_1141_ = _e995;
-                                    phi_1142_ = _e1025;
-                                    phi_1143_ = _e1021;
+                                    phi_1143_ = _e1000;
+                                    phi_1144_ = _e996;
+                                    phi_1145_ = _e1026;
+                                    phi_1146_ = _e1022;
                                 }
-                                let _e1034 = phi_1140_;
-                                let _e1036 = phi_1141_;
-                                let _e1038 = phi_1142_;
-                                let _e1040 = phi_1143_;
-                                let _e1043 = ((_e1040 * _e1034) - (_e1038 * _e1036));
-                                if _e1032 {
-                                    phi_1151_ = -(_e1043);
+                                let _e1035 = phi_1143_;
+                                let _e1037 = phi_1144_;
+                                let _e1039 = phi_1145_;
+                                let _e1041 = phi_1146_;
+                                let _e1044 = ((_e1041 * _e1035) - (_e1039 * _e1037));
+                                if _e1033 {
+                                    phi_1154_ = -(_e1044);
                                 } else {
-                                    phi_1151_ = _e1043;
+                                    phi_1154_ = _e1044;
                                 }
-                                let _e1046 = phi_1151_;
-                                if (_e1021 < _e969) {
-                                    phi_1162_ = true;
+                                let _e1047 = phi_1154_;
+                                if (_e1022 < _e970) {
+                                    phi_1165_ = true;
                                 } else {
-                                    if (_e1021 == _e969) {
-                                        phi_1161_ = (_e1025 < _e973);
+                                    if (_e1022 == _e970) {
+                                        phi_1164_ = (_e1026 < _e974);
                                     } else {
-                                        phi_1161_ = false;
+                                        phi_1164_ = false;
                                     }
-                                    let _e1051 = phi_1161_;
-                                    phi_1162_ = _e1051;
+                                    let _e1052 = phi_1164_;
+                                    phi_1165_ = _e1052;
                                 }
-                                let _e1053 = phi_1162_;
-                                if _e1053 {
-                                    phi_1166_ = _e973;
-                                    phi_1167_ = _e969;
-                                    phi_1168_ = _e1025;
-                                    phi_1169_ = _e1021;
+                                let _e1054 = phi_1165_;
+                                if _e1054 {
+                                    phi_1169_ = _e974;
+                                    phi_1170_ = _e970;
+                                    phi_1171_ = _e1026;
+                                    phi_1172_ = _e1022;
                                 } else {
-                                    phi_1166_ = _e1025;
-                                    phi_1167_ = _e1021;
-                                    phi_1168_ = _e973;
-                                    phi_1169_ = _e969;
+                                    phi_1169_ = _e1026;
+                                    phi_1170_ = _e1022;
+                                    phi_1171_ = _e974;
+                                    phi_1172_ = _e970;
                                 }
-                                let _e1055 = phi_1166_;
-                                let _e1057 = phi_1167_;
-                                let _e1059 = phi_1168_;
-                                let _e1061 = phi_1169_;
-                                let _e1064 = ((_e1061 * _e1055) - (_e1059 * _e1057));
-                                if _e1053 {
-                                    phi_1177_ = -(_e1064);
+                                let _e1056 = phi_1169_;
+                                let _e1058 = phi_1170_;
+                                let _e1060 = phi_1171_;
+                                let _e1062 = phi_1172_;
+                                let _e1065 = ((_e1062 * _e1056) - (_e1060 * _e1058));
+                                if _e1054 {
+                                    phi_1180_ = -(_e1065);
                                 } else {
-                                    phi_1177_ = _e1064;
+                                    phi_1180_ = _e1065;
                                 }
-                                let _e1067 = phi_1177_;
-                                if (_e969 < _e995) {
-                                    phi_1188_ = true;
+                                let _e1068 = phi_1180_;
+                                if (_e970 < _e996) {
+                                    phi_1191_ = true;
                                 } else {
-                                    if (_e969 == _e995) {
-                                        phi_1187_ = (_e973 < _e999);
+                                    if (_e970 == _e996) {
+                                        phi_1190_ = (_e974 < _e1000);
                                     } else {
-                                        phi_1187_ = false;
+                                        phi_1190_ = false;
                                     }
-                                    let _e1072 = phi_1187_;
-                                    phi_1188_ = _e1072;
+                                    let _e1073 = phi_1190_;
+                                    phi_1191_ = _e1073;
                                 }
-                                let _e1074 = phi_1188_;
-                                if _e1074 {
-                                    phi_1192_ = _e999;
-                                    phi_1193_ = _e995;
-                                    phi_1194_ = _e973;
-                                    phi_1195_ = _e969;
+                                let _e1075 = phi_1191_;
+                                if _e1075 {
+                                    phi_1195_ = _e1000;
+                                    phi_1196_ = _e996;
+                                    phi_1197_ = _e974;
+                                    phi_1198_ = _e970;
                                 } else {
-                                    phi_1192_ = _e973;
-                                    phi_1193_ = _e969;
-                                    phi_1194_ = _e999;
-                                    phi_1195_ = _e995;
+                                    phi_1195_ = _e974;
+                                    phi_1196_ = _e970;
+                                    phi_1197_ = _e1000;
+                                    phi_1198_ = _e996;
                                 }
-                                let _e1076 = phi_1192_;
-                                let _e1078 = phi_1193_;
-                                let _e1080 = phi_1194_;
-                                let _e1082 = phi_1195_;
-                                let _e1085 = ((_e1082 * _e1076) - (_e1080 * _e1078));
-                                if _e1074 {
-                                    phi_1203_ = -(_e1085);
+                                let _e1077 = phi_1195_;
+                                let _e1079 = phi_1196_;
+                                let _e1081 = phi_1197_;
+                                let _e1083 = phi_1198_;
+                                let _e1086 = ((_e1083 * _e1077) - (_e1081 * _e1079));
+                                if _e1075 {
+                                    phi_1206_ = -(_e1086);
                                 } else {
-                                    phi_1203_ = _e1085;
+                                    phi_1206_ = _e1086;
                                 }
-                                let _e1088 = phi_1203_;
-                                if (_e1046 >= 0f) {
-                                    if (_e1067 >= 0f) {
-                                        if (_e1088 >= 0f) {
-                                            phi_1218_ = ((_e1046 + _e1067) + _e1088);
-                                            phi_1219_ = false;
+                                let _e1089 = phi_1206_;
+                                if (_e1047 >= 0f) {
+                                    if (_e1068 >= 0f) {
+                                        if (_e1089 >= 0f) {
+                                            phi_1221_ = ((_e1047 + _e1068) + _e1089);
+                                            phi_1222_ = false;
                                         } else {
-                                            phi_1218_ = f32();
-                                            phi_1219_ = true;
+                                            phi_1221_ = f32();
+                                            phi_1222_ = true;
                                         }
-                                        let _e1095 = phi_1218_;
-                                        let _e1097 = phi_1219_;
-                                        phi_1220_ = _e1095;
-                                        phi_1221_ = _e1097;
+                                        let _e1096 = phi_1221_;
+                                        let _e1098 = phi_1222_;
+                                        phi_1223_ = _e1096;
+                                        phi_1224_ = _e1098;
                                     } else {
-                                        phi_1220_ = f32();
-                                        phi_1221_ = true;
+                                        phi_1223_ = f32();
+                                        phi_1224_ = true;
                                     }
-                                    let _e1099 = phi_1220_;
-                                    let _e1101 = phi_1221_;
-                                    phi_1222_ = _e1099;
-                                    phi_1223_ = _e1101;
+                                    let _e1100 = phi_1223_;
+                                    let _e1102 = phi_1224_;
+                                    phi_1225_ = _e1100;
+                                    phi_1226_ = _e1102;
                                 } else {
-                                    phi_1222_ = f32();
-                                    phi_1223_ = true;
+                                    phi_1225_ = f32();
+                                    phi_1226_ = true;
                                 }
-                                let _e1103 = phi_1222_;
-                                let _e1105 = phi_1223_;
-                                if _e1105 {
-                                    if (_e1046 <= 0f) {
-                                        if (_e1067 <= 0f) {
-                                            let _e1108 = (_e1088 <= 0f);
-                                            if _e1108 {
+                                let _e1104 = phi_1225_;
+                                let _e1106 = phi_1226_;
+                                if _e1106 {
+                                    if (_e1047 <= 0f) {
+                                        if (_e1068 <= 0f) {
+                                            let _e1109 = (_e1089 <= 0f);
+                                            if _e1109 {
                                             }
-                                            phi_1241_ = ((_e1046 + _e1067) + _e1088);
-                                            phi_1242_ = false;
-                                            phi_1243_ = _e1108;
+                                            phi_1244_ = ((_e1047 + _e1068) + _e1089);
+                                            phi_1245_ = false;
+                                            phi_1246_ = _e1109;
                                         } else {
-                                            phi_1241_ = f32();
-                                            phi_1242_ = true;
-                                            phi_1243_ = false;
+                                            phi_1244_ = f32();
+                                            phi_1245_ = true;
+                                            phi_1246_ = false;
                                         }
-                                        let _e1112 = phi_1241_;
-                                        let _e1114 = phi_1242_;
-                                        let _e1116 = phi_1243_;
-                                        phi_1244_ = _e1112;
-                                        phi_1245_ = _e1114;
-                                        phi_1246_ = _e1116;
+                                        let _e1113 = phi_1244_;
+                                        let _e1115 = phi_1245_;
+                                        let _e1117 = phi_1246_;
+                                        phi_1247_ = _e1113;
+                                        phi_1248_ = _e1115;
+                                        phi_1249_ = _e1117;
                                     } else {
-                                        phi_1244_ = f32();
-                                        phi_1245_ = true;
-                                        phi_1246_ = false;
+                                        phi_1247_ = f32();
+                                        phi_1248_ = true;
+                                        phi_1249_ = false;
                                     }
-                                    let _e1118 = phi_1244_;
-                                    let _e1120 = phi_1245_;
-                                    let _e1122 = phi_1246_;
-                                    if _e1120 {
-                                        phi_1250_ = false;
+                                    let _e1119 = phi_1247_;
+                                    let _e1121 = phi_1248_;
+                                    let _e1123 = phi_1249_;
+                                    if _e1121 {
+                                        phi_1253_ = false;
                                     } else {
-                                        phi_1250_ = _e1122;
+                                        phi_1253_ = _e1123;
                                     }
-                                    let _e1124 = phi_1250_;
-                                    phi_1251_ = _e1118;
-                                    phi_1252_ = _e1124;
+                                    let _e1125 = phi_1253_;
+                                    phi_1254_ = _e1119;
+                                    phi_1255_ = _e1125;
                                 } else {
-                                    phi_1251_ = _e1103;
-                                    phi_1252_ = true;
+                                    phi_1254_ = _e1104;
+                                    phi_1255_ = true;
                                 }
-                                let _e1126 = phi_1251_;
-                                let _e1128 = phi_1252_;
-                                if _e1128 {
-                                    let _e1129 = (_e1126 == 0f);
-                                    if _e1129 {
-                                        phi_1568_ = lt_bvh_triangle_Intersection();
-                                        phi_1569_ = false;
+                                let _e1127 = phi_1254_;
+                                let _e1129 = phi_1255_;
+                                if _e1129 {
+                                    let _e1130 = (_e1127 == 0f);
+                                    if _e1130 {
+                                        phi_1571_ = lt_bvh_triangle_Intersection();
+                                        phi_1572_ = false;
                                     } else {
-                                        let _e1131 = triangles.member[(0u + _e942)].v0_;
-                                        let _e1133 = (_e1131.x - _e100);
-                                        let _e1135 = (_e1131.y - _e102);
-                                        let _e1137 = (_e1131.z - _e104);
-                                        if (_e328 == 0u) {
-                                            phi_1281_ = vec3<f32>(_e1135, _e1137, _e1133);
+                                        let _e1132 = triangles.member[(0u + _e943)].v0_;
+                                        let _e1134 = (_e1132.x - _e99);
+                                        let _e1136 = (_e1132.y - _e101);
+                                        let _e1138 = (_e1132.z - _e103);
+                                        if (_e329 == 0u) {
+                                            phi_1284_ = vec3<f32>(_e1136, _e1138, _e1134);
                                         } else {
-                                            if (_e328 == 1u) {
-                                                phi_1280_ = vec3<f32>(_e1137, _e1133, _e1135);
+                                            if (_e329 == 1u) {
+                                                phi_1283_ = vec3<f32>(_e1138, _e1134, _e1136);
                                             } else {
-                                                phi_1280_ = (_e1131 - vec3<f32>(_e100, _e102, _e104));
+                                                phi_1283_ = (_e1132 - vec3<f32>(_e99, _e101, _e103));
                                             }
-                                            let _e1145 = phi_1280_;
-                                            phi_1281_ = _e1145;
+                                            let _e1146 = phi_1283_;
+                                            phi_1284_ = _e1146;
                                         }
-                                        let _e1147 = phi_1281_;
-                                        let _e1149 = triangles.member[(0u + _e942)].v1_;
-                                        let _e1151 = triangles.member[(0u + _e942)].v0_;
-                                        let _e1154 = (_e1149.x - _e1151.x);
-                                        let _e1157 = (_e1149.y - _e1151.y);
-                                        let _e1160 = (_e1149.z - _e1151.z);
-                                        if (_e328 == 0u) {
-                                            phi_1307_ = vec3<f32>(_e1157, _e1160, _e1154);
+                                        let _e1148 = phi_1284_;
+                                        let _e1150 = triangles.member[(0u + _e943)].v1_;
+                                        let _e1152 = triangles.member[(0u + _e943)].v0_;
+                                        let _e1155 = (_e1150.x - _e1152.x);
+                                        let _e1158 = (_e1150.y - _e1152.y);
+                                        let _e1161 = (_e1150.z - _e1152.z);
+                                        if (_e329 == 0u) {
+                                            phi_1310_ = vec3<f32>(_e1158, _e1161, _e1155);
                                         } else {
-                                            if (_e328 == 1u) {
-                                                phi_1306_ = vec3<f32>(_e1160, _e1154, _e1157);
+                                            if (_e329 == 1u) {
+                                                phi_1309_ = vec3<f32>(_e1161, _e1155, _e1158);
                                             } else {
-                                                phi_1306_ = (_e1149 - _e1151);
+                                                phi_1309_ = (_e1150 - _e1152);
                                             }
-                                            let _e1167 = phi_1306_;
-                                            phi_1307_ = _e1167;
+                                            let _e1168 = phi_1309_;
+                                            phi_1310_ = _e1168;
                                         }
-                                        let _e1169 = phi_1307_;
-                                        let _e1171 = triangles.member[(0u + _e942)].v2_;
-                                        let _e1173 = triangles.member[(0u + _e942)].v0_;
-                                        let _e1176 = (_e1171.x - _e1173.x);
-                                        let _e1179 = (_e1171.y - _e1173.y);
-                                        let _e1182 = (_e1171.z - _e1173.z);
-                                        if (_e328 == 0u) {
-                                            phi_1333_ = vec3<f32>(_e1179, _e1182, _e1176);
+                                        let _e1170 = phi_1310_;
+                                        let _e1172 = triangles.member[(0u + _e943)].v2_;
+                                        let _e1174 = triangles.member[(0u + _e943)].v0_;
+                                        let _e1177 = (_e1172.x - _e1174.x);
+                                        let _e1180 = (_e1172.y - _e1174.y);
+                                        let _e1183 = (_e1172.z - _e1174.z);
+                                        if (_e329 == 0u) {
+                                            phi_1336_ = vec3<f32>(_e1180, _e1183, _e1177);
                                         } else {
-                                            if (_e328 == 1u) {
-                                                phi_1332_ = vec3<f32>(_e1182, _e1176, _e1179);
+                                            if (_e329 == 1u) {
+                                                phi_1335_ = vec3<f32>(_e1183, _e1177, _e1180);
                                             } else {
-                                                phi_1332_ = (_e1171 - _e1173);
+                                                phi_1335_ = (_e1172 - _e1174);
                                             }
-                                            let _e1189 = phi_1332_;
-                                            phi_1333_ = _e1189;
+                                            let _e1190 = phi_1335_;
+                                            phi_1336_ = _e1190;
                                         }
-                                        let _e1191 = phi_1333_;
-                                        let _e1198 = ((_e1169.y * _e1191.z) - (_e1169.z * _e1191.y));
-                                        let _e1205 = ((_e1169.z * _e1191.x) - (_e1169.x * _e1191.z));
-                                        let _e1212 = ((_e1169.x * _e1191.y) - (_e1169.y * _e1191.x));
-                                        let _e1226 = (((1f / _e336.z) * (((_e1198 * _e1147.x) + (_e1205 * _e1147.y)) + (_e1212 * _e1147.z))) / (((_e1198 * _e339) + (_e1205 * _e342)) + _e1212));
-                                        if (_e1226 > 0f) {
-                                            if (_e1226 < _e108) {
-                                                let _e1230 = triangles.member[(0u + _e942)].v0_;
-                                                let _e1232 = triangles.member[(0u + _e942)].v1_;
-                                                if (_e1230.x < _e1232.x) {
-                                                    phi_1389_ = _e1230.x;
+                                        let _e1192 = phi_1336_;
+                                        let _e1199 = ((_e1170.y * _e1192.z) - (_e1170.z * _e1192.y));
+                                        let _e1206 = ((_e1170.z * _e1192.x) - (_e1170.x * _e1192.z));
+                                        let _e1213 = ((_e1170.x * _e1192.y) - (_e1170.y * _e1192.x));
+                                        let _e1227 = (((1f / _e337.z) * (((_e1199 * _e1148.x) + (_e1206 * _e1148.y)) + (_e1213 * _e1148.z))) / (((_e1199 * _e340) + (_e1206 * _e343)) + _e1213));
+                                        if (_e1227 > 0f) {
+                                            if (_e1227 < _e109) {
+                                                let _e1231 = triangles.member[(0u + _e943)].v0_;
+                                                let _e1233 = triangles.member[(0u + _e943)].v1_;
+                                                if (_e1231.x < _e1233.x) {
+                                                    phi_1392_ = _e1231.x;
                                                 } else {
-                                                    phi_1389_ = _e1232.x;
+                                                    phi_1392_ = _e1233.x;
                                                 }
-                                                let _e1239 = phi_1389_;
-                                                if (_e1230.y < _e1232.y) {
-                                                    phi_1398_ = _e1230.y;
+                                                let _e1240 = phi_1392_;
+                                                if (_e1231.y < _e1233.y) {
+                                                    phi_1401_ = _e1231.y;
                                                 } else {
-                                                    phi_1398_ = _e1232.y;
+                                                    phi_1401_ = _e1233.y;
                                                 }
-                                                let _e1246 = phi_1398_;
-                                                if (_e1230.z < _e1232.z) {
-                                                    phi_1407_ = _e1230.z;
+                                                let _e1247 = phi_1401_;
+                                                if (_e1231.z < _e1233.z) {
+                                                    phi_1410_ = _e1231.z;
                                                 } else {
-                                                    phi_1407_ = _e1232.z;
+                                                    phi_1410_ = _e1233.z;
                                                 }
-                                                let _e1253 = phi_1407_;
-                                                let _e1255 = triangles.member[(0u + _e942)].v2_;
-                                                if (_e1239 < _e1255.x) {
-                                                    phi_1416_ = _e1239;
+                                                let _e1254 = phi_1410_;
+                                                let _e1256 = triangles.member[(0u + _e943)].v2_;
+                                                if (_e1240 < _e1256.x) {
+                                                    phi_1419_ = _e1240;
                                                 } else {
-                                                    phi_1416_ = _e1255.x;
+                                                    phi_1419_ = _e1256.x;
                                                 }
-                                                let _e1260 = phi_1416_;
-                                                if (_e1246 < _e1255.y) {
-                                                    phi_1423_ = _e1246;
+                                                let _e1261 = phi_1419_;
+                                                if (_e1247 < _e1256.y) {
+                                                    phi_1426_ = _e1247;
                                                 } else {
-                                                    phi_1423_ = _e1255.y;
+                                                    phi_1426_ = _e1256.y;
                                                 }
-                                                let _e1265 = phi_1423_;
-                                                if (_e1253 < _e1255.z) {
-                                                    phi_1430_ = _e1253;
+                                                let _e1266 = phi_1426_;
+                                                if (_e1254 < _e1256.z) {
+                                                    phi_1433_ = _e1254;
                                                 } else {
-                                                    phi_1430_ = _e1255.z;
+                                                    phi_1433_ = _e1256.z;
                                                 }
-                                                let _e1270 = phi_1430_;
-                                                let _e1272 = triangles.member[(0u + _e942)].v0_;
-                                                let _e1274 = triangles.member[(0u + _e942)].v1_;
-                                                if (_e1272.x > _e1274.x) {
-                                                    phi_1443_ = _e1272.x;
+                                                let _e1271 = phi_1433_;
+                                                let _e1273 = triangles.member[(0u + _e943)].v0_;
+                                                let _e1275 = triangles.member[(0u + _e943)].v1_;
+                                                if (_e1273.x > _e1275.x) {
+                                                    phi_1446_ = _e1273.x;
                                                 } else {
-                                                    phi_1443_ = _e1274.x;
+                                                    phi_1446_ = _e1275.x;
                                                 }
-                                                let _e1281 = phi_1443_;
-                                                if (_e1272.y > _e1274.y) {
-                                                    phi_1452_ = _e1272.y;
+                                                let _e1282 = phi_1446_;
+                                                if (_e1273.y > _e1275.y) {
+                                                    phi_1455_ = _e1273.y;
                                                 } else {
-                                                    phi_1452_ = _e1274.y;
+                                                    phi_1455_ = _e1275.y;
                                                 }
-                                                let _e1288 = phi_1452_;
-                                                if (_e1272.z > _e1274.z) {
-                                                    phi_1461_ = _e1272.z;
+                                                let _e1289 = phi_1455_;
+                                                if (_e1273.z > _e1275.z) {
+                                                    phi_1464_ = _e1273.z;
                                                 } else {
-                                                    phi_1461_ = _e1274.z;
+                                                    phi_1464_ = _e1275.z;
                                                 }
-                                                let _e1295 = phi_1461_;
-                                                let _e1297 = triangles.member[(0u + _e942)].v2_;
-                                                if (_e1281 > _e1297.x) {
-                                                    phi_1470_ = _e1281;
+                                                let _e1296 = phi_1464_;
+                                                let _e1298 = triangles.member[(0u + _e943)].v2_;
+                                                if (_e1282 > _e1298.x) {
+                                                    phi_1473_ = _e1282;
                                                 } else {
-                                                    phi_1470_ = _e1297.x;
+                                                    phi_1473_ = _e1298.x;
                                                 }
-                                                let _e1302 = phi_1470_;
-                                                if (_e1288 > _e1297.y) {
-                                                    phi_1477_ = _e1288;
+                                                let _e1303 = phi_1473_;
+                                                if (_e1289 > _e1298.y) {
+                                                    phi_1480_ = _e1289;
                                                 } else {
-                                                    phi_1477_ = _e1297.y;
+                                                    phi_1480_ = _e1298.y;
                                                 }
-                                                let _e1307 = phi_1477_;
-                                                if (_e1295 > _e1297.z) {
-                                                    phi_1484_ = _e1295;
+                                                let _e1308 = phi_1480_;
+                                                if (_e1296 > _e1298.z) {
+                                                    phi_1487_ = _e1296;
                                                 } else {
-                                                    phi_1484_ = _e1297.z;
+                                                    phi_1487_ = _e1298.z;
                                                 }
-                                                let _e1312 = phi_1484_;
-                                                let _e1316 = ((_e1260 - _e100) * _e257);
-                                                let _e1317 = ((_e1265 - _e102) * _e267);
-                                                let _e1318 = ((_e1270 - _e104) * _e277);
-                                                let _e1322 = ((_e1302 - _e100) * _e257);
-                                                let _e1323 = ((_e1307 - _e102) * _e267);
-                                                let _e1324 = ((_e1312 - _e104) * _e277);
-                                                if (_e1316 < _e1322) {
-                                                    phi_1501_ = _e1316;
-                                                } else {
-                                                    phi_1501_ = _e1322;
-                                                }
-                                                let _e1327 = phi_1501_;
+                                                let _e1313 = phi_1487_;
+                                                let _e1317 = ((_e1261 - _e99) * _e258);
+                                                let _e1318 = ((_e1266 - _e101) * _e268);
+                                                let _e1319 = ((_e1271 - _e103) * _e278);
+                                                let _e1323 = ((_e1303 - _e99) * _e258);
+                                                let _e1324 = ((_e1308 - _e101) * _e268);
+                                                let _e1325 = ((_e1313 - _e103) * _e278);
                                                 if (_e1317 < _e1323) {
-                                                    phi_1506_ = _e1317;
+                                                    phi_1504_ = _e1317;
                                                 } else {
-                                                    phi_1506_ = _e1323;
+                                                    phi_1504_ = _e1323;
                                                 }
-                                                let _e1330 = phi_1506_;
+                                                let _e1328 = phi_1504_;
                                                 if (_e1318 < _e1324) {
-                                                    phi_1511_ = _e1318;
+                                                    phi_1509_ = _e1318;
                                                 } else {
-                                                    phi_1511_ = _e1324;
+                                                    phi_1509_ = _e1324;
                                                 }
-                                                let _e1333 = phi_1511_;
-                                                if (_e1316 > _e1322) {
-                                                    phi_1519_ = _e1316;
+                                                let _e1331 = phi_1509_;
+                                                if (_e1319 < _e1325) {
+                                                    phi_1514_ = _e1319;
                                                 } else {
-                                                    phi_1519_ = _e1322;
+                                                    phi_1514_ = _e1325;
                                                 }
-                                                let _e1339 = phi_1519_;
+                                                let _e1334 = phi_1514_;
                                                 if (_e1317 > _e1323) {
-                                                    phi_1524_ = _e1317;
+                                                    phi_1522_ = _e1317;
                                                 } else {
-                                                    phi_1524_ = _e1323;
+                                                    phi_1522_ = _e1323;
                                                 }
-                                                let _e1342 = phi_1524_;
+                                                let _e1340 = phi_1522_;
                                                 if (_e1318 > _e1324) {
-                                                    phi_1529_ = _e1318;
+                                                    phi_1527_ = _e1318;
                                                 } else {
-                                                    phi_1529_ = _e1324;
+                                                    phi_1527_ = _e1324;
                                                 }
-                                                let _e1345 = phi_1529_;
-                                                let _e1349 = core_intrinsics_maximum_number_nsz_f32_((_e1327 - _e312), (_e1330 - _e313));
-                                                let _e1350 = core_intrinsics_maximum_number_nsz_f32_(_e1349, (_e1333 - _e314));
-                                                let _e1351 = core_intrinsics_minimum_number_nsz_f32_((_e1339 + _e312), (_e1342 + _e313));
-                                                let _e1352 = core_intrinsics_minimum_number_nsz_f32_(_e1351, (_e1345 + _e314));
-                                                if (_e1350 > -300000000000000000000000000000000000000f) {
-                                                    phi_1541_ = _e1350;
+                                                let _e1343 = phi_1527_;
+                                                if (_e1319 > _e1325) {
+                                                    phi_1532_ = _e1319;
                                                 } else {
-                                                    phi_1541_ = -300000000000000000000000000000000000000f;
+                                                    phi_1532_ = _e1325;
                                                 }
-                                                let _e1355 = phi_1541_;
-                                                if (_e1352 < 300000000000000000000000000000000000000f) {
-                                                    phi_1546_ = _e1352;
+                                                let _e1346 = phi_1532_;
+                                                let _e1350 = core_intrinsics_maximum_number_nsz_f32_((_e1328 - _e313), (_e1331 - _e314));
+                                                let _e1351 = core_intrinsics_maximum_number_nsz_f32_(_e1350, (_e1334 - _e315));
+                                                let _e1352 = core_intrinsics_minimum_number_nsz_f32_((_e1340 + _e313), (_e1343 + _e314));
+                                                let _e1353 = core_intrinsics_minimum_number_nsz_f32_(_e1352, (_e1346 + _e315));
+                                                if (_e1351 > -300000000000000000000000000000000000000f) {
+                                                    phi_1544_ = _e1351;
                                                 } else {
-                                                    phi_1546_ = 300000000000000000000000000000000000000f;
+                                                    phi_1544_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1358 = phi_1546_;
-                                                if (_e1226 < _e1355) {
-                                                    phi_1551_ = _e1355;
+                                                let _e1356 = phi_1544_;
+                                                if (_e1353 < 300000000000000000000000000000000000000f) {
+                                                    phi_1549_ = _e1353;
                                                 } else {
-                                                    phi_1551_ = _e1226;
+                                                    phi_1549_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1361 = phi_1551_;
-                                                if (_e1361 > _e1358) {
-                                                    phi_1556_ = _e1358;
+                                                let _e1359 = phi_1549_;
+                                                if (_e1227 < _e1356) {
+                                                    phi_1554_ = _e1356;
                                                 } else {
-                                                    phi_1556_ = _e1361;
+                                                    phi_1554_ = _e1227;
                                                 }
-                                                let _e1364 = phi_1556_;
-                                                phi_1561_ = lt_bvh_triangle_Intersection(_e1364, (_e1067 / _e1126), (_e1088 / _e1126), (_e1355 <= _e1358));
-                                                phi_1562_ = false;
+                                                let _e1362 = phi_1554_;
+                                                if (_e1362 > _e1359) {
+                                                    phi_1559_ = _e1359;
+                                                } else {
+                                                    phi_1559_ = _e1362;
+                                                }
+                                                let _e1365 = phi_1559_;
+                                                phi_1564_ = lt_bvh_triangle_Intersection(_e1365, (_e1068 / _e1127), (_e1089 / _e1127), (_e1356 <= _e1359));
+                                                phi_1565_ = false;
                                             } else {
-                                                phi_1561_ = lt_bvh_triangle_Intersection();
-                                                phi_1562_ = true;
+                                                phi_1564_ = lt_bvh_triangle_Intersection();
+                                                phi_1565_ = true;
                                             }
-                                            let _e1370 = phi_1561_;
-                                            let _e1372 = phi_1562_;
-                                            phi_1563_ = _e1370;
-                                            phi_1564_ = _e1372;
+                                            let _e1371 = phi_1564_;
+                                            let _e1373 = phi_1565_;
+                                            phi_1566_ = _e1371;
+                                            phi_1567_ = _e1373;
                                         } else {
-                                            phi_1563_ = lt_bvh_triangle_Intersection();
-                                            phi_1564_ = true;
+                                            phi_1566_ = lt_bvh_triangle_Intersection();
+                                            phi_1567_ = true;
                                         }
-                                        let _e1374 = phi_1563_;
-                                        let _e1376 = phi_1564_;
-                                        if _e1376 {
+                                        let _e1375 = phi_1566_;
+                                        let _e1377 = phi_1567_;
+                                        if _e1377 {
                                         }
-                                        phi_1568_ = _e1374;
-                                        phi_1569_ = _e1376;
+                                        phi_1571_ = _e1375;
+                                        phi_1572_ = _e1377;
                                     }
-                                    let _e1378 = phi_1568_;
-                                    let _e1380 = phi_1569_;
-                                    phi_1570_ = _e1378;
-                                    phi_1571_ = _e1129;
-                                    phi_1572_ = _e1380;
+                                    let _e1379 = phi_1571_;
+                                    let _e1381 = phi_1572_;
+                                    phi_1573_ = _e1379;
+                                    phi_1574_ = _e1130;
+                                    phi_1575_ = _e1381;
                                 } else {
-                                    phi_1570_ = lt_bvh_triangle_Intersection();
-                                    phi_1571_ = true;
-                                    phi_1572_ = false;
+                                    phi_1573_ = lt_bvh_triangle_Intersection();
+                                    phi_1574_ = true;
+                                    phi_1575_ = false;
                                 }
-                                let _e1382 = phi_1570_;
-                                let _e1384 = phi_1571_;
-                                let _e1386 = phi_1572_;
-                                if _e1384 {
-                                    phi_1576_ = true;
+                                let _e1383 = phi_1573_;
+                                let _e1385 = phi_1574_;
+                                let _e1387 = phi_1575_;
+                                if _e1385 {
+                                    phi_1579_ = true;
                                 } else {
-                                    phi_1576_ = _e1386;
+                                    phi_1579_ = _e1387;
                                 }
-                                let _e1388 = phi_1576_;
-                                if _e1388 {
-                                    phi_1580_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1389 = phi_1579_;
+                                if _e1389 {
+                                    phi_1583_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1580_ = _e1382;
+                                    phi_1583_ = _e1383;
                                 }
-                                let _e1390 = phi_1580_;
-                                if _e1390.is_hit {
-                                    if (_e1390.t > 0f) {
-                                        if (_e1390.t < _e108) {
+                                let _e1391 = phi_1583_;
+                                if _e1391.is_hit {
+                                    if (_e1391.t > 0f) {
+                                        if (_e1391.t < _e109) {
                                             if true {
-                                                phi_1600_ = false;
+                                                phi_1603_ = false;
                                             } else {
-                                                phi_1600_ = true;
+                                                phi_1603_ = true;
                                             }
-                                            let _e1399 = phi_1600_;
-                                            phi_1601_ = true;
-                                            phi_1602_ = _e1399;
+                                            let _e1400 = phi_1603_;
+                                            phi_1604_ = true;
+                                            phi_1605_ = _e1400;
                                         } else {
-                                            phi_1601_ = _e933;
-                                            phi_1602_ = true;
+                                            phi_1604_ = _e934;
+                                            phi_1605_ = true;
                                         }
-                                        let _e1401 = phi_1601_;
-                                        let _e1403 = phi_1602_;
-                                        phi_1603_ = _e1401;
-                                        phi_1604_ = _e1403;
+                                        let _e1402 = phi_1604_;
+                                        let _e1404 = phi_1605_;
+                                        phi_1606_ = _e1402;
+                                        phi_1607_ = _e1404;
                                     } else {
-                                        phi_1603_ = _e933;
-                                        phi_1604_ = true;
+                                        phi_1606_ = _e934;
+                                        phi_1607_ = true;
                                     }
-                                    let _e1405 = phi_1603_;
-                                    let _e1407 = phi_1604_;
-                                    phi_1605_ = _e1405;
-                                    phi_1606_ = _e1407;
+                                    let _e1406 = phi_1606_;
+                                    let _e1408 = phi_1607_;
+                                    phi_1608_ = _e1406;
+                                    phi_1609_ = _e1408;
                                 } else {
-                                    phi_1605_ = _e933;
-                                    phi_1606_ = true;
+                                    phi_1608_ = _e934;
+                                    phi_1609_ = true;
                                 }
-                                let _e1409 = phi_1605_;
-                                let _e1411 = phi_1606_;
-                                if _e1411 {
+                                let _e1410 = phi_1608_;
+                                let _e1412 = phi_1609_;
+                                if _e1412 {
                                 }
-                                phi_1010_ = (_e931 & (_e931 - 1u));
-                                phi_1013_ = _e1409;
-                                phi_1610_ = _e1411;
+                                phi_1013_ = (_e932 & (_e932 - 1u));
+                                phi_1016_ = _e1410;
+                                phi_1613_ = _e1412;
                             }
-                            let _e1413 = phi_1010_;
-                            let _e1415 = phi_1013_;
-                            let _e1417 = phi_1610_;
+                            let _e1414 = phi_1013_;
+                            let _e1416 = phi_1016_;
+                            let _e1418 = phi_1613_;
                             continue;
                             continuing {
-                                phi_1009_ = _e1413;
-                                phi_1012_ = _e1415;
-                                break if !(_e1417);
+                                phi_1012_ = _e1414;
+                                phi_1015_ = _e1416;
+                                break if !(_e1418);
                             }
                         }
-                        let _e1420 = local_4;
-                        if _e1420 {
-                            let _e1422 = local.group_mask;
-                            if ((_e1422 & 4278190080u) == 0u) {
-                                let _e1426 = local.len;
-                                if (_e1426 == 0u) {
-                                    phi_1652_ = false;
+                        let _e1421 = local_4;
+                        if _e1421 {
+                            let _e1423 = local.group_mask;
+                            if ((_e1423 & 4278190080u) == 0u) {
+                                let _e1427 = local.len;
+                                if (_e1427 == 0u) {
+                                    phi_1655_ = false;
                                 } else {
-                                    let _e1430 = local.len;
-                                    local.len = (_e1430 - 1u);
-                                    let _e1433 = local.len;
-                                    if (_e1433 < 32u) {
+                                    let _e1431 = local.len;
+                                    local.len = (_e1431 - 1u);
+                                    let _e1434 = local.len;
+                                    if (_e1434 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1438 = local.first[(0u + _e1433)];
-                                    local.group = _e1438;
-                                    let _e1441 = local.len;
-                                    if (_e1441 < 32u) {
+                                    let _e1439 = local.first[(0u + _e1434)];
+                                    local.group = _e1439;
+                                    let _e1442 = local.len;
+                                    if (_e1442 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1446 = local.mask[(0u + _e1441)];
-                                    local.group_mask = _e1446;
-                                    phi_1652_ = true;
+                                    let _e1447 = local.mask[(0u + _e1442)];
+                                    local.group_mask = _e1447;
+                                    phi_1655_ = true;
                                 }
-                                let _e1449 = phi_1652_;
-                                phi_1653_ = _e1449;
+                                let _e1450 = phi_1655_;
+                                phi_1656_ = _e1450;
                             } else {
-                                phi_1653_ = true;
+                                phi_1656_ = true;
                             }
-                            let _e1451 = phi_1653_;
-                            if _e1451 {
-                                let _e1453 = local.group_mask;
-                                let _e1459 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1453)), 32u, (_e1453 == 0u)));
-                                let _e1463 = local.group_mask;
-                                let _e1477 = local.group_mask;
-                                local.group_mask = (_e1477 & ~((1u << bitcast<u32>((_e1459 & 31u)))));
-                                let _e1480 = local.group;
-                                phi_1684_ = (_e1480 + countOneBits(((_e1463 & ~((4294967295u << bitcast<u32>((((_e1459 - 24u) ^ _e355) & 31u))))) & 255u)));
+                            let _e1452 = phi_1656_;
+                            if _e1452 {
+                                let _e1454 = local.group_mask;
+                                let _e1460 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1454)), 32u, (_e1454 == 0u)));
+                                let _e1464 = local.group_mask;
+                                let _e1478 = local.group_mask;
+                                local.group_mask = (_e1478 & ~((1u << bitcast<u32>((_e1460 & 31u)))));
+                                let _e1481 = local.group;
+                                phi_1687_ = (_e1481 + countOneBits(((_e1464 & ~((4294967295u << bitcast<u32>((((_e1460 - 24u) ^ _e356) & 31u))))) & 255u)));
                             } else {
-                                phi_1684_ = 4294967295u;
+                                phi_1687_ = 4294967295u;
                             }
-                            let _e1483 = phi_1684_;
-                            phi_1685_ = _e1483;
+                            let _e1484 = phi_1687_;
+                            phi_1688_ = _e1484;
                         } else {
-                            phi_1685_ = u32();
+                            phi_1688_ = u32();
                         }
-                        let _e1485 = phi_1685_;
-                        phi_678_ = _e1485;
-                        let _e1683 = local_6;
-                        phi_681_ = _e1683;
-                        let _e1686 = local_7;
-                        phi_1686_ = _e1686;
-                        phi_1687_ = false;
+                        let _e1486 = phi_1688_;
+                        phi_681_ = _e1486;
+                        let _e1684 = local_6;
+                        phi_684_ = _e1684;
+                        let _e1687 = local_7;
+                        phi_1689_ = _e1687;
+                        phi_1690_ = false;
                     } else {
-                        phi_678_ = u32();
-                        phi_681_ = bool();
-                        phi_1686_ = false;
-                        phi_1687_ = true;
+                        phi_681_ = u32();
+                        phi_684_ = bool();
+                        phi_1689_ = false;
+                        phi_1690_ = true;
                     }
-                    let _e1487 = phi_678_;
-                    let _e1489 = phi_681_;
-                    let _e1491 = phi_1686_;
-                    let _e1493 = phi_1687_;
-                    local_5 = _e1493;
+                    let _e1488 = phi_681_;
+                    let _e1490 = phi_684_;
+                    let _e1492 = phi_1689_;
+                    let _e1494 = phi_1690_;
+                    local_5 = _e1494;
                     continue;
                     continuing {
-                        phi_677_ = _e1487;
-                        phi_680_ = _e1489;
-                        break if !(_e1491);
+                        phi_680_ = _e1488;
+                        phi_683_ = _e1490;
+                        break if !(_e1492);
                     }
                 }
-                let _e1496 = local_5;
-                if _e1496 {
-                    phi_1691_ = false;
+                let _e1497 = local_5;
+                if _e1497 {
+                    phi_1694_ = false;
                 } else {
-                    phi_1691_ = true;
+                    phi_1694_ = true;
                 }
-                let _e1498 = phi_1691_;
-                if _e1498 {
-                    phi_1695_ = true;
+                let _e1499 = phi_1694_;
+                if _e1499 {
+                    phi_1698_ = true;
                 } else {
-                    let _e1692 = local_8;
-                    phi_1695_ = _e1692;
+                    let _e1693 = local_8;
+                    phi_1698_ = _e1693;
                 }
-                let _e1500 = phi_1695_;
-                phi_1696_ = _e1500;
+                let _e1501 = phi_1698_;
+                phi_1699_ = _e1501;
             }
-            let _e1502 = phi_1696_;
-            phi_1697_ = _e1502;
-            phi_1698_ = _e181;
+            let _e1503 = phi_1699_;
+            phi_1700_ = _e1503;
+            phi_1701_ = _e182;
         } else {
-            phi_1697_ = bool();
-            phi_1698_ = true;
+            phi_1700_ = bool();
+            phi_1701_ = true;
         }
-        let _e1504 = phi_1697_;
-        let _e1506 = phi_1698_;
-        if _e1506 {
-            phi_1702_ = false;
+        let _e1505 = phi_1700_;
+        let _e1507 = phi_1701_;
+        if _e1507 {
+            phi_1705_ = false;
         } else {
-            phi_1702_ = _e1504;
+            phi_1705_ = _e1505;
         }
-        let _e1508 = phi_1702_;
-        if _e1508 {
-            phi_1706_ = 0f;
+        let _e1509 = phi_1705_;
+        if _e1509 {
+            phi_1709_ = 0f;
         } else {
-            phi_1706_ = 1f;
+            phi_1709_ = 1f;
         }
-        let _e1510 = phi_1706_;
+        let _e1511 = phi_1709_;
         if (_e79 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e79)] = _e1510;
+        visibility.member[(0u + _e79)] = _e1511;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -47,18 +56,18 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
     epsilon: f32,
     root: u32,
     level_count: u32,
-    fade_uv: f32,
     pad0_: u32,
+    pad1_: u32,
 }
 
-struct type_32 {
+struct type_33 {
     member: abi_ShadowParams,
 }
 
@@ -70,7 +79,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_37 {
+struct type_38 {
     member: array<lt_bvh_Node>,
 }
 
@@ -83,7 +92,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_41 {
+struct type_42 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -95,7 +104,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_45 {
+struct type_46 {
     member: array<abi_Vertex>,
 }
 
@@ -111,7 +120,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_49 {
+struct type_50 {
     member: array<abi_Material>,
 }
 
@@ -149,7 +158,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_63 {
+struct type_64 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -159,115 +168,115 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_32;
+var<uniform> p: type_33;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_38;
 @group(0) @binding(3) 
-var<storage> triangles: type_41;
+var<storage> triangles: type_42;
 @group(0) @binding(6) 
-var<storage> instances: type_63;
+var<storage> instances: type_64;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(7) 
-var<storage> vertices: type_45;
+var<storage> vertices: type_46;
 @group(0) @binding(8) 
-var<storage> materials: type_49;
+var<storage> materials: type_50;
 @group(0) @binding(9) 
 var<storage> alpha_texels: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_204_: bool;
-    var phi_208_: f32;
+    var phi_206_: bool;
+    var phi_210_: f32;
 
     if (param != param) {
-        phi_204_ = true;
+        phi_206_ = true;
     } else {
         let _e69 = (param_1 >= param);
         if _e69 {
         }
-        phi_204_ = _e69;
+        phi_206_ = _e69;
     }
-    let _e71 = phi_204_;
+    let _e71 = phi_206_;
     if _e71 {
-        phi_208_ = param_1;
+        phi_210_ = param_1;
     } else {
-        phi_208_ = param;
+        phi_210_ = param;
     }
-    let _e73 = phi_208_;
+    let _e73 = phi_210_;
     return _e73;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_220_: bool;
-    var phi_224_: f32;
+    var phi_222_: bool;
+    var phi_226_: f32;
 
     if (param_2 != param_2) {
-        phi_220_ = true;
+        phi_222_ = true;
     } else {
         let _e69 = (param_3 <= param_2);
         if _e69 {
         }
-        phi_220_ = _e69;
+        phi_222_ = _e69;
     }
-    let _e71 = phi_220_;
+    let _e71 = phi_222_;
     if _e71 {
-        phi_224_ = param_3;
+        phi_226_ = param_3;
     } else {
-        phi_224_ = param_2;
+        phi_226_ = param_2;
     }
-    let _e73 = phi_224_;
+    let _e73 = phi_226_;
     return _e73;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
-    var phi_266_: f32;
-    var phi_271_: f32;
-    var phi_272_: bool;
+    var phi_268_: f32;
     var phi_273_: f32;
     var phi_274_: bool;
-    var phi_278_: f32;
-    var phi_304_: f32;
-    var phi_309_: f32;
-    var phi_310_: bool;
+    var phi_275_: f32;
+    var phi_276_: bool;
+    var phi_280_: f32;
+    var phi_306_: f32;
     var phi_311_: f32;
     var phi_312_: bool;
-    var phi_316_: f32;
-    var phi_324_: f32;
-    var phi_325_: f32;
+    var phi_313_: f32;
+    var phi_314_: bool;
+    var phi_318_: f32;
     var phi_326_: f32;
-    var phi_335_: f32;
-    var phi_336_: f32;
-    var phi_354_: u32;
-    var phi_368_: u32;
-    var phi_375_: u32;
-    var phi_380_: u32;
-    var phi_386_: u32;
-    var phi_391_: u32;
-    var phi_393_: texture_Axis;
-    var phi_421_: f32;
-    var phi_426_: f32;
-    var phi_427_: bool;
+    var phi_327_: f32;
+    var phi_328_: f32;
+    var phi_337_: f32;
+    var phi_338_: f32;
+    var phi_356_: u32;
+    var phi_370_: u32;
+    var phi_377_: u32;
+    var phi_382_: u32;
+    var phi_388_: u32;
+    var phi_393_: u32;
+    var phi_395_: texture_Axis;
+    var phi_423_: f32;
     var phi_428_: f32;
     var phi_429_: bool;
-    var phi_433_: f32;
-    var phi_459_: f32;
-    var phi_464_: f32;
-    var phi_465_: bool;
+    var phi_430_: f32;
+    var phi_431_: bool;
+    var phi_435_: f32;
+    var phi_461_: f32;
     var phi_466_: f32;
     var phi_467_: bool;
-    var phi_471_: f32;
-    var phi_479_: f32;
-    var phi_480_: f32;
+    var phi_468_: f32;
+    var phi_469_: bool;
+    var phi_473_: f32;
     var phi_481_: f32;
-    var phi_490_: f32;
-    var phi_491_: f32;
-    var phi_509_: u32;
-    var phi_523_: u32;
-    var phi_530_: u32;
-    var phi_535_: u32;
-    var phi_541_: u32;
-    var phi_546_: u32;
-    var phi_548_: texture_Axis;
+    var phi_482_: f32;
+    var phi_483_: f32;
+    var phi_492_: f32;
+    var phi_493_: f32;
+    var phi_511_: u32;
+    var phi_525_: u32;
+    var phi_532_: u32;
+    var phi_537_: u32;
+    var phi_543_: u32;
+    var phi_548_: u32;
+    var phi_550_: texture_Axis;
 
     let _e70 = (*param_4).size;
     let _e71 = (_e70 & 65535u);
@@ -281,286 +290,286 @@ fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureVi
         if (param_5 > -8388608f) {
             let _e97 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
             if (_e97 > param_5) {
-                phi_266_ = 1f;
+                phi_268_ = 1f;
             } else {
-                phi_266_ = 0f;
+                phi_268_ = 0f;
             }
-            let _e100 = phi_266_;
+            let _e100 = phi_268_;
             if (param_5 < 8388608f) {
-                phi_271_ = (_e97 - _e100);
-                phi_272_ = false;
+                phi_273_ = (_e97 - _e100);
+                phi_274_ = false;
             } else {
-                phi_271_ = f32();
-                phi_272_ = true;
+                phi_273_ = f32();
+                phi_274_ = true;
             }
-            let _e103 = phi_271_;
-            let _e105 = phi_272_;
-            phi_273_ = _e103;
-            phi_274_ = _e105;
+            let _e103 = phi_273_;
+            let _e105 = phi_274_;
+            phi_275_ = _e103;
+            phi_276_ = _e105;
         } else {
-            phi_273_ = f32();
-            phi_274_ = true;
+            phi_275_ = f32();
+            phi_276_ = true;
         }
-        let _e107 = phi_273_;
-        let _e109 = phi_274_;
+        let _e107 = phi_275_;
+        let _e109 = phi_276_;
         if _e109 {
-            phi_278_ = param_5;
+            phi_280_ = param_5;
         } else {
-            phi_278_ = _e107;
+            phi_280_ = _e107;
         }
-        let _e111 = phi_278_;
-        phi_326_ = (param_5 - _e111);
+        let _e111 = phi_280_;
+        phi_328_ = (param_5 - _e111);
     } else {
         if (_e84 == 1u) {
             let _e114 = (param_5 * 0.5f);
             if (_e114 > -8388608f) {
                 let _e126 = f32(select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)));
                 if (_e126 > _e114) {
-                    phi_304_ = 1f;
+                    phi_306_ = 1f;
                 } else {
-                    phi_304_ = 0f;
+                    phi_306_ = 0f;
                 }
-                let _e129 = phi_304_;
+                let _e129 = phi_306_;
                 if (_e114 < 8388608f) {
-                    phi_309_ = (_e126 - _e129);
-                    phi_310_ = false;
+                    phi_311_ = (_e126 - _e129);
+                    phi_312_ = false;
                 } else {
-                    phi_309_ = f32();
-                    phi_310_ = true;
+                    phi_311_ = f32();
+                    phi_312_ = true;
                 }
-                let _e132 = phi_309_;
-                let _e134 = phi_310_;
-                phi_311_ = _e132;
-                phi_312_ = _e134;
+                let _e132 = phi_311_;
+                let _e134 = phi_312_;
+                phi_313_ = _e132;
+                phi_314_ = _e134;
             } else {
-                phi_311_ = f32();
-                phi_312_ = true;
+                phi_313_ = f32();
+                phi_314_ = true;
             }
-            let _e136 = phi_311_;
-            let _e138 = phi_312_;
+            let _e136 = phi_313_;
+            let _e138 = phi_314_;
             if _e138 {
-                phi_316_ = _e114;
+                phi_318_ = _e114;
             } else {
-                phi_316_ = _e136;
+                phi_318_ = _e136;
             }
-            let _e140 = phi_316_;
+            let _e140 = phi_318_;
             let _e142 = (param_5 - (2f * _e140));
             if (_e142 > 1f) {
-                phi_324_ = (2f - _e142);
+                phi_326_ = (2f - _e142);
             } else {
-                phi_324_ = _e142;
+                phi_326_ = _e142;
             }
-            let _e146 = phi_324_;
-            phi_325_ = _e146;
+            let _e146 = phi_326_;
+            phi_327_ = _e146;
         } else {
-            phi_325_ = param_5;
+            phi_327_ = param_5;
         }
-        let _e148 = phi_325_;
-        phi_326_ = _e148;
+        let _e148 = phi_327_;
+        phi_328_ = _e148;
     }
-    let _e150 = phi_326_;
+    let _e150 = phi_328_;
     if (_e150 > 0f) {
         if (_e150 < 1f) {
-            phi_335_ = _e150;
+            phi_337_ = _e150;
         } else {
-            phi_335_ = 1f;
+            phi_337_ = 1f;
         }
-        let _e154 = phi_335_;
-        phi_336_ = _e154;
+        let _e154 = phi_337_;
+        phi_338_ = _e154;
     } else {
-        phi_336_ = 0f;
+        phi_338_ = 0f;
     }
-    let _e156 = phi_336_;
+    let _e156 = phi_338_;
     let _e157 = (_e71 - 1u);
     let _e159 = (_e156 * f32(_e71));
     if _e79 {
         let _e166 = select(select(u32(_e159), 0u, (_e159 < bitcast<f32>(0u))), 4294967295u, (_e159 > bitcast<f32>(1333788671u)));
         if (_e157 < _e166) {
-            phi_354_ = _e157;
+            phi_356_ = _e157;
         } else {
-            phi_354_ = _e166;
+            phi_356_ = _e166;
         }
-        let _e169 = phi_354_;
-        phi_393_ = texture_Axis(_e169, _e169, 0f);
+        let _e169 = phi_356_;
+        phi_395_ = texture_Axis(_e169, _e169, 0f);
     } else {
         let _e171 = (_e159 + 0.5f);
         let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
         if (_e71 < _e178) {
-            phi_368_ = _e71;
+            phi_370_ = _e71;
         } else {
-            phi_368_ = _e178;
+            phi_370_ = _e178;
         }
-        let _e181 = phi_368_;
+        let _e181 = phi_370_;
         if (_e84 == 0u) {
-            phi_375_ = _e157;
+            phi_377_ = _e157;
         } else {
-            phi_375_ = 0u;
+            phi_377_ = 0u;
         }
-        let _e186 = phi_375_;
+        let _e186 = phi_377_;
         if (_e84 == 0u) {
-            phi_380_ = 0u;
+            phi_382_ = 0u;
         } else {
-            phi_380_ = _e157;
+            phi_382_ = _e157;
         }
-        let _e189 = phi_380_;
+        let _e189 = phi_382_;
         if (_e181 == 0u) {
-            phi_386_ = _e186;
+            phi_388_ = _e186;
         } else {
-            phi_386_ = (_e181 - 1u);
+            phi_388_ = (_e181 - 1u);
         }
-        let _e193 = phi_386_;
+        let _e193 = phi_388_;
         if (_e181 > _e157) {
-            phi_391_ = _e189;
+            phi_393_ = _e189;
         } else {
-            phi_391_ = _e181;
+            phi_393_ = _e181;
         }
-        let _e196 = phi_391_;
-        phi_393_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
+        let _e196 = phi_393_;
+        phi_395_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
     }
-    let _e199 = phi_393_;
+    let _e199 = phi_395_;
     let _e201 = (*param_4).flags;
     let _e204 = ((_e201 >> bitcast<u32>(6u)) & 3u);
     if (_e204 == 0u) {
         if (param_6 > -8388608f) {
             let _e217 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
             if (_e217 > param_6) {
-                phi_421_ = 1f;
+                phi_423_ = 1f;
             } else {
-                phi_421_ = 0f;
+                phi_423_ = 0f;
             }
-            let _e220 = phi_421_;
+            let _e220 = phi_423_;
             if (param_6 < 8388608f) {
-                phi_426_ = (_e217 - _e220);
-                phi_427_ = false;
+                phi_428_ = (_e217 - _e220);
+                phi_429_ = false;
             } else {
-                phi_426_ = f32();
-                phi_427_ = true;
+                phi_428_ = f32();
+                phi_429_ = true;
             }
-            let _e223 = phi_426_;
-            let _e225 = phi_427_;
-            phi_428_ = _e223;
-            phi_429_ = _e225;
+            let _e223 = phi_428_;
+            let _e225 = phi_429_;
+            phi_430_ = _e223;
+            phi_431_ = _e225;
         } else {
-            phi_428_ = f32();
-            phi_429_ = true;
+            phi_430_ = f32();
+            phi_431_ = true;
         }
-        let _e227 = phi_428_;
-        let _e229 = phi_429_;
+        let _e227 = phi_430_;
+        let _e229 = phi_431_;
         if _e229 {
-            phi_433_ = param_6;
+            phi_435_ = param_6;
         } else {
-            phi_433_ = _e227;
+            phi_435_ = _e227;
         }
-        let _e231 = phi_433_;
-        phi_481_ = (param_6 - _e231);
+        let _e231 = phi_435_;
+        phi_483_ = (param_6 - _e231);
     } else {
         if (_e204 == 1u) {
             let _e234 = (param_6 * 0.5f);
             if (_e234 > -8388608f) {
                 let _e246 = f32(select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < bitcast<f32>(3472883712u))), 2147483647i, (_e234 > bitcast<f32>(1325400063u))), (_e234 == _e234)));
                 if (_e246 > _e234) {
-                    phi_459_ = 1f;
+                    phi_461_ = 1f;
                 } else {
-                    phi_459_ = 0f;
+                    phi_461_ = 0f;
                 }
-                let _e249 = phi_459_;
+                let _e249 = phi_461_;
                 if (_e234 < 8388608f) {
-                    phi_464_ = (_e246 - _e249);
-                    phi_465_ = false;
+                    phi_466_ = (_e246 - _e249);
+                    phi_467_ = false;
                 } else {
-                    phi_464_ = f32();
-                    phi_465_ = true;
+                    phi_466_ = f32();
+                    phi_467_ = true;
                 }
-                let _e252 = phi_464_;
-                let _e254 = phi_465_;
-                phi_466_ = _e252;
-                phi_467_ = _e254;
+                let _e252 = phi_466_;
+                let _e254 = phi_467_;
+                phi_468_ = _e252;
+                phi_469_ = _e254;
             } else {
-                phi_466_ = f32();
-                phi_467_ = true;
+                phi_468_ = f32();
+                phi_469_ = true;
             }
-            let _e256 = phi_466_;
-            let _e258 = phi_467_;
+            let _e256 = phi_468_;
+            let _e258 = phi_469_;
             if _e258 {
-                phi_471_ = _e234;
+                phi_473_ = _e234;
             } else {
-                phi_471_ = _e256;
+                phi_473_ = _e256;
             }
-            let _e260 = phi_471_;
+            let _e260 = phi_473_;
             let _e262 = (param_6 - (2f * _e260));
             if (_e262 > 1f) {
-                phi_479_ = (2f - _e262);
+                phi_481_ = (2f - _e262);
             } else {
-                phi_479_ = _e262;
+                phi_481_ = _e262;
             }
-            let _e266 = phi_479_;
-            phi_480_ = _e266;
+            let _e266 = phi_481_;
+            phi_482_ = _e266;
         } else {
-            phi_480_ = param_6;
+            phi_482_ = param_6;
         }
-        let _e268 = phi_480_;
-        phi_481_ = _e268;
+        let _e268 = phi_482_;
+        phi_483_ = _e268;
     }
-    let _e270 = phi_481_;
+    let _e270 = phi_483_;
     if (_e270 > 0f) {
         if (_e270 < 1f) {
-            phi_490_ = _e270;
+            phi_492_ = _e270;
         } else {
-            phi_490_ = 1f;
+            phi_492_ = 1f;
         }
-        let _e274 = phi_490_;
-        phi_491_ = _e274;
+        let _e274 = phi_492_;
+        phi_493_ = _e274;
     } else {
-        phi_491_ = 0f;
+        phi_493_ = 0f;
     }
-    let _e276 = phi_491_;
+    let _e276 = phi_493_;
     let _e277 = (_e75 - 1u);
     let _e279 = (_e276 * f32(_e75));
     if _e79 {
         let _e286 = select(select(u32(_e279), 0u, (_e279 < bitcast<f32>(0u))), 4294967295u, (_e279 > bitcast<f32>(1333788671u)));
         if (_e277 < _e286) {
-            phi_509_ = _e277;
+            phi_511_ = _e277;
         } else {
-            phi_509_ = _e286;
+            phi_511_ = _e286;
         }
-        let _e289 = phi_509_;
-        phi_548_ = texture_Axis(_e289, _e289, 0f);
+        let _e289 = phi_511_;
+        phi_550_ = texture_Axis(_e289, _e289, 0f);
     } else {
         let _e291 = (_e279 + 0.5f);
         let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
         if (_e75 < _e298) {
-            phi_523_ = _e75;
+            phi_525_ = _e75;
         } else {
-            phi_523_ = _e298;
+            phi_525_ = _e298;
         }
-        let _e301 = phi_523_;
+        let _e301 = phi_525_;
         if (_e204 == 0u) {
-            phi_530_ = _e277;
+            phi_532_ = _e277;
         } else {
-            phi_530_ = 0u;
+            phi_532_ = 0u;
         }
-        let _e306 = phi_530_;
+        let _e306 = phi_532_;
         if (_e204 == 0u) {
-            phi_535_ = 0u;
+            phi_537_ = 0u;
         } else {
-            phi_535_ = _e277;
+            phi_537_ = _e277;
         }
-        let _e309 = phi_535_;
+        let _e309 = phi_537_;
         if (_e301 == 0u) {
-            phi_541_ = _e306;
+            phi_543_ = _e306;
         } else {
-            phi_541_ = (_e301 - 1u);
+            phi_543_ = (_e301 - 1u);
         }
-        let _e313 = phi_541_;
+        let _e313 = phi_543_;
         if (_e301 > _e277) {
-            phi_546_ = _e309;
+            phi_548_ = _e309;
         } else {
-            phi_546_ = _e301;
+            phi_548_ = _e301;
         }
-        let _e316 = phi_546_;
-        phi_548_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
+        let _e316 = phi_548_;
+        phi_550_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
     }
-    let _e319 = phi_548_;
+    let _e319 = phi_550_;
     let _e323 = (*param_4).offset;
     let _e330 = (*param_4).offset;
     let _e337 = (*param_4).offset;
@@ -572,13 +581,10 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_693_: f32;
-    var phi_749_: bool;
-    var phi_750_: bool;
-    var phi_751_: bool;
-    var phi_755_: bool;
-    var phi_756_: bool;
-    var phi_757_: bool;
+    var phi_696_: f32;
+    var phi_752_: bool;
+    var phi_753_: bool;
+    var phi_754_: bool;
     var phi_758_: bool;
     var phi_759_: bool;
     var phi_760_: bool;
@@ -594,60 +600,60 @@ fn function_() {
     var phi_770_: bool;
     var phi_771_: bool;
     var phi_772_: bool;
-    var phi_776_: bool;
-    var phi_780_: bool;
-    var phi_850_: f32;
-    var phi_857_: f32;
-    var phi_864_: f32;
-    var phi_871_: f32;
-    var phi_878_: f32;
-    var phi_885_: f32;
-    var phi_902_: f32;
-    var phi_907_: f32;
-    var phi_912_: f32;
-    var phi_933_: u32;
-    var phi_938_: u32;
-    var phi_943_: u32;
-    var phi_1057_: bool;
-    var phi_1058_: bool;
-    var phi_1089_: u32;
-    var phi_1091_: u32;
-    var phi_1094_: bool;
-    var phi_1174_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1201_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1228_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1234_: u32;
+    var phi_773_: bool;
+    var phi_774_: bool;
+    var phi_775_: bool;
+    var phi_779_: bool;
+    var phi_783_: bool;
+    var phi_853_: f32;
+    var phi_860_: f32;
+    var phi_867_: f32;
+    var phi_874_: f32;
+    var phi_881_: f32;
+    var phi_888_: f32;
+    var phi_905_: f32;
+    var phi_910_: f32;
+    var phi_915_: f32;
+    var phi_936_: u32;
+    var phi_941_: u32;
+    var phi_946_: u32;
+    var phi_1060_: bool;
+    var phi_1061_: bool;
+    var phi_1092_: u32;
+    var phi_1094_: u32;
+    var phi_1097_: bool;
+    var phi_1177_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1204_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1231_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1237_: u32;
-    var phi_1251_: u32;
-    var phi_1261_: u32;
-    var phi_1271_: u32;
-    var phi_1289_: u32;
-    var phi_1299_: u32;
-    var phi_1309_: u32;
-    var phi_1345_: u32;
-    var phi_1358_: u32;
-    var phi_1363_: u32;
-    var phi_1364_: u32;
-    var phi_1365_: u32;
-    var phi_1235_: u32;
+    var phi_1240_: u32;
+    var phi_1254_: u32;
+    var phi_1264_: u32;
+    var phi_1274_: u32;
+    var phi_1292_: u32;
+    var phi_1302_: u32;
+    var phi_1312_: u32;
+    var phi_1348_: u32;
+    var phi_1361_: u32;
+    var phi_1366_: u32;
+    var phi_1367_: u32;
+    var phi_1368_: u32;
     var phi_1238_: u32;
+    var phi_1241_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1423_: u32;
-    var phi_1426_: bool;
-    var phi_1475_: f32;
-    var phi_1480_: f32;
-    var phi_1485_: f32;
-    var phi_1493_: f32;
-    var phi_1498_: f32;
-    var phi_1503_: f32;
-    var phi_1647_: bool;
-    var phi_1648_: bool;
-    var phi_1649_: bool;
-    var phi_1653_: bool;
-    var phi_1654_: bool;
-    var phi_1655_: bool;
+    var phi_1426_: u32;
+    var phi_1429_: bool;
+    var phi_1478_: f32;
+    var phi_1483_: f32;
+    var phi_1488_: f32;
+    var phi_1496_: f32;
+    var phi_1501_: f32;
+    var phi_1506_: f32;
+    var phi_1650_: bool;
+    var phi_1651_: bool;
+    var phi_1652_: bool;
     var phi_1656_: bool;
     var phi_1657_: bool;
     var phi_1658_: bool;
@@ -663,142 +669,142 @@ fn function_() {
     var phi_1668_: bool;
     var phi_1669_: bool;
     var phi_1670_: bool;
-    var phi_1674_: bool;
-    var phi_1678_: bool;
-    var phi_1748_: f32;
-    var phi_1755_: f32;
-    var phi_1762_: f32;
-    var phi_1769_: f32;
-    var phi_1776_: f32;
-    var phi_1783_: f32;
-    var phi_1800_: f32;
-    var phi_1805_: f32;
-    var phi_1810_: f32;
-    var phi_1838_: bool;
-    var phi_1839_: bool;
-    var phi_1847_: u32;
-    var phi_1848_: u32;
-    var phi_1859_: vec3<f32>;
-    var phi_1860_: vec3<f32>;
-    var phi_1873_: u32;
-    var phi_1878_: u32;
-    var phi_1883_: u32;
-    var phi_1997_: bool;
-    var phi_1998_: bool;
-    var phi_2029_: u32;
-    var phi_2031_: u32;
-    var phi_2034_: bool;
-    var phi_2114_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2141_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2168_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2174_: u32;
+    var phi_1671_: bool;
+    var phi_1672_: bool;
+    var phi_1673_: bool;
+    var phi_1677_: bool;
+    var phi_1681_: bool;
+    var phi_1751_: f32;
+    var phi_1758_: f32;
+    var phi_1765_: f32;
+    var phi_1772_: f32;
+    var phi_1779_: f32;
+    var phi_1786_: f32;
+    var phi_1803_: f32;
+    var phi_1808_: f32;
+    var phi_1813_: f32;
+    var phi_1841_: bool;
+    var phi_1842_: bool;
+    var phi_1850_: u32;
+    var phi_1851_: u32;
+    var phi_1862_: vec3<f32>;
+    var phi_1863_: vec3<f32>;
+    var phi_1876_: u32;
+    var phi_1881_: u32;
+    var phi_1886_: u32;
+    var phi_2000_: bool;
+    var phi_2001_: bool;
+    var phi_2032_: u32;
+    var phi_2034_: u32;
+    var phi_2037_: bool;
+    var phi_2117_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2144_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2171_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_2177_: u32;
-    var phi_2191_: u32;
-    var phi_2201_: u32;
-    var phi_2211_: u32;
-    var phi_2229_: u32;
-    var phi_2239_: u32;
-    var phi_2249_: u32;
-    var phi_2285_: u32;
-    var phi_2298_: u32;
-    var phi_2303_: u32;
-    var phi_2304_: u32;
-    var phi_2305_: u32;
-    var phi_2175_: u32;
+    var phi_2180_: u32;
+    var phi_2194_: u32;
+    var phi_2204_: u32;
+    var phi_2214_: u32;
+    var phi_2232_: u32;
+    var phi_2242_: u32;
+    var phi_2252_: u32;
+    var phi_2288_: u32;
+    var phi_2301_: u32;
+    var phi_2306_: u32;
+    var phi_2307_: u32;
+    var phi_2308_: u32;
     var phi_2178_: u32;
+    var phi_2181_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2363_: u32;
-    var phi_2366_: bool;
-    var phi_2410_: vec3<f32>;
-    var phi_2411_: vec3<f32>;
-    var phi_2440_: vec3<f32>;
-    var phi_2441_: vec3<f32>;
-    var phi_2470_: vec3<f32>;
-    var phi_2471_: vec3<f32>;
-    var phi_2489_: bool;
-    var phi_2490_: bool;
-    var phi_2494_: f32;
-    var phi_2495_: f32;
-    var phi_2496_: f32;
+    var phi_2366_: u32;
+    var phi_2369_: bool;
+    var phi_2413_: vec3<f32>;
+    var phi_2414_: vec3<f32>;
+    var phi_2443_: vec3<f32>;
+    var phi_2444_: vec3<f32>;
+    var phi_2473_: vec3<f32>;
+    var phi_2474_: vec3<f32>;
+    var phi_2492_: bool;
+    var phi_2493_: bool;
     var phi_2497_: f32;
-    var phi_2505_: f32;
-    var phi_2515_: bool;
-    var phi_2516_: bool;
-    var phi_2520_: f32;
-    var phi_2521_: f32;
-    var phi_2522_: f32;
+    var phi_2498_: f32;
+    var phi_2499_: f32;
+    var phi_2500_: f32;
+    var phi_2508_: f32;
+    var phi_2518_: bool;
+    var phi_2519_: bool;
     var phi_2523_: f32;
-    var phi_2531_: f32;
-    var phi_2541_: bool;
-    var phi_2542_: bool;
-    var phi_2546_: f32;
-    var phi_2547_: f32;
-    var phi_2548_: f32;
+    var phi_2524_: f32;
+    var phi_2525_: f32;
+    var phi_2526_: f32;
+    var phi_2534_: f32;
+    var phi_2544_: bool;
+    var phi_2545_: bool;
     var phi_2549_: f32;
-    var phi_2557_: f32;
-    var phi_2572_: f32;
-    var phi_2573_: bool;
-    var phi_2574_: f32;
-    var phi_2575_: bool;
-    var phi_2576_: f32;
-    var phi_2577_: bool;
-    var phi_2595_: f32;
-    var phi_2596_: bool;
-    var phi_2597_: bool;
+    var phi_2550_: f32;
+    var phi_2551_: f32;
+    var phi_2552_: f32;
+    var phi_2560_: f32;
+    var phi_2575_: f32;
+    var phi_2576_: bool;
+    var phi_2577_: f32;
+    var phi_2578_: bool;
+    var phi_2579_: f32;
+    var phi_2580_: bool;
     var phi_2598_: f32;
     var phi_2599_: bool;
     var phi_2600_: bool;
-    var phi_2604_: bool;
-    var phi_2605_: f32;
-    var phi_2606_: bool;
-    var phi_2634_: vec3<f32>;
-    var phi_2635_: vec3<f32>;
-    var phi_2660_: vec3<f32>;
-    var phi_2661_: vec3<f32>;
-    var phi_2686_: vec3<f32>;
-    var phi_2687_: vec3<f32>;
-    var phi_2743_: f32;
-    var phi_2752_: f32;
-    var phi_2761_: f32;
-    var phi_2770_: f32;
-    var phi_2777_: f32;
-    var phi_2784_: f32;
-    var phi_2797_: f32;
-    var phi_2806_: f32;
-    var phi_2815_: f32;
-    var phi_2824_: f32;
-    var phi_2831_: f32;
-    var phi_2838_: f32;
-    var phi_2855_: f32;
-    var phi_2860_: f32;
-    var phi_2865_: f32;
-    var phi_2873_: f32;
-    var phi_2878_: f32;
-    var phi_2883_: f32;
-    var phi_2895_: f32;
-    var phi_2900_: f32;
-    var phi_2905_: f32;
-    var phi_2910_: f32;
-    var phi_2915_: lt_bvh_triangle_Intersection;
-    var phi_2916_: bool;
-    var phi_2917_: lt_bvh_triangle_Intersection;
-    var phi_2918_: bool;
-    var phi_2922_: lt_bvh_triangle_Intersection;
-    var phi_2923_: bool;
-    var phi_2924_: lt_bvh_triangle_Intersection;
-    var phi_2925_: bool;
+    var phi_2601_: f32;
+    var phi_2602_: bool;
+    var phi_2603_: bool;
+    var phi_2607_: bool;
+    var phi_2608_: f32;
+    var phi_2609_: bool;
+    var phi_2637_: vec3<f32>;
+    var phi_2638_: vec3<f32>;
+    var phi_2663_: vec3<f32>;
+    var phi_2664_: vec3<f32>;
+    var phi_2689_: vec3<f32>;
+    var phi_2690_: vec3<f32>;
+    var phi_2746_: f32;
+    var phi_2755_: f32;
+    var phi_2764_: f32;
+    var phi_2773_: f32;
+    var phi_2780_: f32;
+    var phi_2787_: f32;
+    var phi_2800_: f32;
+    var phi_2809_: f32;
+    var phi_2818_: f32;
+    var phi_2827_: f32;
+    var phi_2834_: f32;
+    var phi_2841_: f32;
+    var phi_2858_: f32;
+    var phi_2863_: f32;
+    var phi_2868_: f32;
+    var phi_2876_: f32;
+    var phi_2881_: f32;
+    var phi_2886_: f32;
+    var phi_2898_: f32;
+    var phi_2903_: f32;
+    var phi_2908_: f32;
+    var phi_2913_: f32;
+    var phi_2918_: lt_bvh_triangle_Intersection;
+    var phi_2919_: bool;
+    var phi_2920_: lt_bvh_triangle_Intersection;
+    var phi_2921_: bool;
+    var phi_2925_: lt_bvh_triangle_Intersection;
     var phi_2926_: bool;
-    var phi_2930_: bool;
-    var phi_2934_: lt_bvh_triangle_Intersection;
-    var phi_3148_: f32;
-    var phi_3151_: bool;
-    var phi_3152_: bool;
-    var phi_3153_: bool;
-    var phi_3157_: bool;
-    var phi_3158_: bool;
-    var phi_3159_: bool;
+    var phi_2927_: lt_bvh_triangle_Intersection;
+    var phi_2928_: bool;
+    var phi_2929_: bool;
+    var phi_2933_: bool;
+    var phi_2937_: lt_bvh_triangle_Intersection;
+    var phi_3151_: f32;
+    var phi_3154_: bool;
+    var phi_3155_: bool;
+    var phi_3156_: bool;
     var phi_3160_: bool;
     var phi_3161_: bool;
     var phi_3162_: bool;
@@ -806,55 +812,58 @@ fn function_() {
     var phi_3164_: bool;
     var phi_3165_: bool;
     var phi_3166_: bool;
-    var phi_2364_: u32;
-    var phi_2367_: bool;
-    var phi_3170_: bool;
-    var phi_3171_: bool;
+    var phi_3167_: bool;
+    var phi_3168_: bool;
+    var phi_3169_: bool;
+    var phi_2367_: u32;
+    var phi_2370_: bool;
+    var phi_3173_: bool;
+    var phi_3174_: bool;
     var local_9: bool;
-    var phi_3213_: bool;
-    var phi_3214_: bool;
-    var phi_3245_: u32;
-    var phi_3246_: u32;
-    var phi_2032_: u32;
-    var phi_2035_: bool;
-    var phi_3247_: bool;
-    var phi_3248_: bool;
-    var phi_3249_: bool;
+    var phi_3216_: bool;
+    var phi_3217_: bool;
+    var phi_3248_: u32;
+    var phi_3249_: u32;
+    var phi_2035_: u32;
+    var phi_2038_: bool;
+    var phi_3250_: bool;
+    var phi_3251_: bool;
+    var phi_3252_: bool;
     var local_10: bool;
-    var phi_3253_: bool;
-    var phi_3257_: bool;
-    var phi_3258_: bool;
-    var phi_3259_: bool;
+    var phi_3256_: bool;
     var phi_3260_: bool;
-    var phi_3264_: bool;
-    var phi_3268_: bool;
-    var phi_3269_: bool;
-    var phi_3270_: bool;
+    var phi_3261_: bool;
+    var phi_3262_: bool;
+    var phi_3263_: bool;
+    var phi_3267_: bool;
     var phi_3271_: bool;
     var phi_3272_: bool;
     var phi_3273_: bool;
     var phi_3274_: bool;
-    var phi_1424_: u32;
-    var phi_1427_: bool;
-    var phi_3278_: bool;
+    var phi_3275_: bool;
+    var phi_3276_: bool;
+    var phi_3277_: bool;
+    var phi_1427_: u32;
+    var phi_1430_: bool;
+    var phi_3281_: bool;
     var local_11: bool;
-    var phi_3320_: bool;
-    var phi_3321_: bool;
-    var phi_3352_: u32;
-    var phi_3353_: u32;
-    var phi_1092_: u32;
-    var phi_1095_: bool;
-    var phi_3354_: bool;
-    var phi_3355_: bool;
+    var phi_3323_: bool;
+    var phi_3324_: bool;
+    var phi_3355_: u32;
+    var phi_3356_: u32;
+    var phi_1095_: u32;
+    var phi_1098_: bool;
+    var phi_3357_: bool;
+    var phi_3358_: bool;
     var local_12: bool;
-    var phi_3359_: bool;
-    var phi_3363_: bool;
-    var phi_3364_: bool;
-    var phi_3365_: bool;
-    var phi_3369_: bool;
-    var phi_3370_: bool;
-    var phi_3374_: bool;
-    var phi_3378_: f32;
+    var phi_3362_: bool;
+    var phi_3366_: bool;
+    var phi_3367_: bool;
+    var phi_3368_: bool;
+    var phi_3372_: bool;
+    var phi_3373_: bool;
+    var phi_3377_: bool;
+    var phi_3381_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -887,1974 +896,1974 @@ fn function_() {
         } else {
             return;
         }
-        let _e117 = p.member.light;
-        let _e119 = samples.member[(0u + _e110)].position;
-        let _e121 = samples.member[(0u + _e110)].normal;
-        let _e123 = samples.member[(0u + _e110)].magnitude;
-        let _e125 = ((8f / 8388608f) * _e123);
-        let _e133 = (_e119.x + (_e121.x * _e125));
-        let _e135 = (_e119.y + (_e121.y * _e125));
-        let _e137 = (_e119.z + (_e121.z * _e125));
-        if (_e117.w == 0f) {
-            phi_693_ = 300000000000000000000000000000000000000f;
+        let _e118 = samples.member[(0u + _e110)].position;
+        let _e120 = samples.member[(0u + _e110)].normal;
+        let _e122 = samples.member[(0u + _e110)].magnitude;
+        let _e124 = ((8f / 8388608f) * _e122);
+        let _e132 = (_e118.x + (_e120.x * _e124));
+        let _e134 = (_e118.y + (_e120.y * _e124));
+        let _e136 = (_e118.z + (_e120.z * _e124));
+        let _e138 = p.member.light.place;
+        if (_e138.w == 0f) {
+            phi_696_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_693_ = 1f;
+            phi_696_ = 1f;
         }
-        let _e141 = phi_693_;
-        let _e149 = (_e117.x - (_e133 * _e117.w));
-        let _e150 = (_e117.y - (_e135 * _e117.w));
-        let _e151 = (_e117.z - (_e137 * _e117.w));
-        let _e155 = abs(_e149);
+        let _e142 = phi_696_;
+        let _e150 = (_e138.x - (_e132 * _e138.w));
+        let _e151 = (_e138.y - (_e134 * _e138.w));
+        let _e152 = (_e138.z - (_e136 * _e138.w));
         let _e156 = abs(_e150);
         let _e157 = abs(_e151);
-        if (abs(_e133) < 1000000000000000f) {
-            if (abs(_e135) < 1000000000000000f) {
-                if (abs(_e137) < 1000000000000000f) {
-                    if (_e155 < 1000000000000000f) {
-                        if (_e156 < 1000000000000000f) {
-                            if (_e157 < 1000000000000000f) {
-                                if (_e155 > 0f) {
-                                    phi_750_ = bool();
-                                    phi_751_ = true;
+        let _e158 = abs(_e152);
+        if (abs(_e132) < 1000000000000000f) {
+            if (abs(_e134) < 1000000000000000f) {
+                if (abs(_e136) < 1000000000000000f) {
+                    if (_e156 < 1000000000000000f) {
+                        if (_e157 < 1000000000000000f) {
+                            if (_e158 < 1000000000000000f) {
+                                if (_e156 > 0f) {
+                                    phi_753_ = bool();
+                                    phi_754_ = true;
                                 } else {
-                                    let _e165 = (_e156 > 0f);
-                                    if _e165 {
-                                        phi_749_ = bool();
+                                    let _e166 = (_e157 > 0f);
+                                    if _e166 {
+                                        phi_752_ = bool();
                                     } else {
-                                        phi_749_ = (_e157 > 0f);
+                                        phi_752_ = (_e158 > 0f);
                                     }
-                                    let _e168 = phi_749_;
-                                    phi_750_ = _e168;
-                                    phi_751_ = _e165;
+                                    let _e169 = phi_752_;
+                                    phi_753_ = _e169;
+                                    phi_754_ = _e166;
                                 }
-                                let _e170 = phi_750_;
-                                let _e172 = phi_751_;
-                                if _e172 {
-                                    phi_755_ = true;
+                                let _e171 = phi_753_;
+                                let _e173 = phi_754_;
+                                if _e173 {
+                                    phi_758_ = true;
                                 } else {
-                                    phi_755_ = _e170;
+                                    phi_758_ = _e171;
                                 }
-                                let _e174 = phi_755_;
-                                phi_756_ = _e174;
-                                phi_757_ = false;
+                                let _e175 = phi_758_;
+                                phi_759_ = _e175;
+                                phi_760_ = false;
                             } else {
-                                phi_756_ = bool();
-                                phi_757_ = true;
+                                phi_759_ = bool();
+                                phi_760_ = true;
                             }
-                            let _e176 = phi_756_;
-                            let _e178 = phi_757_;
-                            phi_758_ = _e176;
-                            phi_759_ = false;
-                            phi_760_ = _e178;
+                            let _e177 = phi_759_;
+                            let _e179 = phi_760_;
+                            phi_761_ = _e177;
+                            phi_762_ = false;
+                            phi_763_ = _e179;
                         } else {
-                            phi_758_ = bool();
-                            phi_759_ = true;
-                            phi_760_ = false;
+                            phi_761_ = bool();
+                            phi_762_ = true;
+                            phi_763_ = false;
                         }
-                        let _e180 = phi_758_;
-                        let _e182 = phi_759_;
-                        let _e184 = phi_760_;
-                        phi_761_ = _e180;
-                        phi_762_ = _e182;
-                        phi_763_ = _e184;
+                        let _e181 = phi_761_;
+                        let _e183 = phi_762_;
+                        let _e185 = phi_763_;
+                        phi_764_ = _e181;
+                        phi_765_ = _e183;
+                        phi_766_ = _e185;
                     } else {
-                        phi_761_ = bool();
-                        phi_762_ = true;
-                        phi_763_ = false;
+                        phi_764_ = bool();
+                        phi_765_ = true;
+                        phi_766_ = false;
                     }
-                    let _e186 = phi_761_;
-                    let _e188 = phi_762_;
-                    let _e190 = phi_763_;
-                    phi_764_ = _e186;
-                    phi_765_ = _e188;
-                    phi_766_ = _e190;
+                    let _e187 = phi_764_;
+                    let _e189 = phi_765_;
+                    let _e191 = phi_766_;
+                    phi_767_ = _e187;
+                    phi_768_ = _e189;
+                    phi_769_ = _e191;
                 } else {
-                    phi_764_ = bool();
-                    phi_765_ = true;
-                    phi_766_ = false;
+                    phi_767_ = bool();
+                    phi_768_ = true;
+                    phi_769_ = false;
                 }
-                let _e192 = phi_764_;
-                let _e194 = phi_765_;
-                let _e196 = phi_766_;
-                phi_767_ = _e192;
-                phi_768_ = _e194;
-                phi_769_ = _e196;
+                let _e193 = phi_767_;
+                let _e195 = phi_768_;
+                let _e197 = phi_769_;
+                phi_770_ = _e193;
+                phi_771_ = _e195;
+                phi_772_ = _e197;
             } else {
-                phi_767_ = bool();
-                phi_768_ = true;
-                phi_769_ = false;
+                phi_770_ = bool();
+                phi_771_ = true;
+                phi_772_ = false;
             }
-            let _e198 = phi_767_;
-            let _e200 = phi_768_;
-            let _e202 = phi_769_;
-            phi_770_ = _e198;
-            phi_771_ = _e200;
-            phi_772_ = _e202;
+            let _e199 = phi_770_;
+            let _e201 = phi_771_;
+            let _e203 = phi_772_;
+            phi_773_ = _e199;
+            phi_774_ = _e201;
+            phi_775_ = _e203;
         } else {
-            phi_770_ = bool();
-            phi_771_ = true;
-            phi_772_ = false;
+            phi_773_ = bool();
+            phi_774_ = true;
+            phi_775_ = false;
         }
-        let _e204 = phi_770_;
-        let _e206 = phi_771_;
-        let _e208 = phi_772_;
-        if _e206 {
-            phi_776_ = true;
+        let _e205 = phi_773_;
+        let _e207 = phi_774_;
+        let _e209 = phi_775_;
+        if _e207 {
+            phi_779_ = true;
         } else {
-            phi_776_ = _e208;
+            phi_779_ = _e209;
         }
-        let _e210 = phi_776_;
-        if _e210 {
-            phi_780_ = false;
+        let _e211 = phi_779_;
+        if _e211 {
+            phi_783_ = false;
         } else {
-            phi_780_ = _e204;
+            phi_783_ = _e205;
         }
-        let _e212 = phi_780_;
-        if _e212 {
-            let _e213 = (_e112 >= _e76);
-            if _e213 {
-                phi_3363_ = false;
+        let _e213 = phi_783_;
+        if _e213 {
+            let _e214 = (_e112 >= _e76);
+            if _e214 {
+                phi_3366_ = false;
             } else {
                 if (_e112 < _e76) {
                 } else {
                     return;
                 }
-                let _e219 = nodes.member[(0u + _e112)].frame[0u];
-                let _e223 = nodes.member[(0u + _e112)].frame[1u];
-                let _e227 = nodes.member[(0u + _e112)].frame[2u];
-                let _e231 = nodes.member[(0u + _e112)].frame[0u];
-                let _e235 = nodes.member[(0u + _e112)].frame[1u];
-                let _e239 = nodes.member[(0u + _e112)].frame[2u];
-                let _e243 = nodes.member[(0u + _e112)].frame[3u];
-                let _e277 = core_intrinsics_maximum_number_nsz_f32_(abs(_e149), abs(_e150));
-                let _e278 = core_intrinsics_maximum_number_nsz_f32_(_e277, abs(_e151));
-                let _e279 = (_e278 * 0.0000000000009094947f);
-                if (abs(_e149) < _e279) {
-                    phi_850_ = _e279;
+                let _e220 = nodes.member[(0u + _e112)].frame[0u];
+                let _e224 = nodes.member[(0u + _e112)].frame[1u];
+                let _e228 = nodes.member[(0u + _e112)].frame[2u];
+                let _e232 = nodes.member[(0u + _e112)].frame[0u];
+                let _e236 = nodes.member[(0u + _e112)].frame[1u];
+                let _e240 = nodes.member[(0u + _e112)].frame[2u];
+                let _e244 = nodes.member[(0u + _e112)].frame[3u];
+                let _e278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e150), abs(_e151));
+                let _e279 = core_intrinsics_maximum_number_nsz_f32_(_e278, abs(_e152));
+                let _e280 = (_e279 * 0.0000000000009094947f);
+                if (abs(_e150) < _e280) {
+                    phi_853_ = _e280;
                 } else {
-                    phi_850_ = abs(_e149);
+                    phi_853_ = abs(_e150);
                 }
-                let _e284 = phi_850_;
-                if (_e149 < 0f) {
-                    phi_857_ = (-1f / _e284);
-                } else {
-                    phi_857_ = (1f / _e284);
-                }
-                let _e289 = phi_857_;
-                if (abs(_e150) < _e279) {
-                    phi_864_ = _e279;
-                } else {
-                    phi_864_ = abs(_e150);
-                }
-                let _e294 = phi_864_;
+                let _e285 = phi_853_;
                 if (_e150 < 0f) {
-                    phi_871_ = (-1f / _e294);
+                    phi_860_ = (-1f / _e285);
                 } else {
-                    phi_871_ = (1f / _e294);
+                    phi_860_ = (1f / _e285);
                 }
-                let _e299 = phi_871_;
-                if (abs(_e151) < _e279) {
-                    phi_878_ = _e279;
+                let _e290 = phi_860_;
+                if (abs(_e151) < _e280) {
+                    phi_867_ = _e280;
                 } else {
-                    phi_878_ = abs(_e151);
+                    phi_867_ = abs(_e151);
                 }
-                let _e304 = phi_878_;
+                let _e295 = phi_867_;
                 if (_e151 < 0f) {
-                    phi_885_ = (-1f / _e304);
+                    phi_874_ = (-1f / _e295);
                 } else {
-                    phi_885_ = (1f / _e304);
+                    phi_874_ = (1f / _e295);
                 }
-                let _e309 = phi_885_;
-                let _e313 = abs((bitcast<f32>(_e219) - _e133));
-                let _e314 = abs((bitcast<f32>(_e223) - _e135));
-                let _e315 = abs((bitcast<f32>(_e227) - _e137));
-                let _e319 = abs(((bitcast<f32>(_e231) + (bitcast<f32>((((_e243 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e133));
-                let _e320 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e243 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e135));
-                let _e321 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e243 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e137));
-                if (_e313 > _e319) {
-                    phi_902_ = _e313;
+                let _e300 = phi_874_;
+                if (abs(_e152) < _e280) {
+                    phi_881_ = _e280;
                 } else {
-                    phi_902_ = _e319;
+                    phi_881_ = abs(_e152);
                 }
-                let _e324 = phi_902_;
+                let _e305 = phi_881_;
+                if (_e152 < 0f) {
+                    phi_888_ = (-1f / _e305);
+                } else {
+                    phi_888_ = (1f / _e305);
+                }
+                let _e310 = phi_888_;
+                let _e314 = abs((bitcast<f32>(_e220) - _e132));
+                let _e315 = abs((bitcast<f32>(_e224) - _e134));
+                let _e316 = abs((bitcast<f32>(_e228) - _e136));
+                let _e320 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e132));
+                let _e321 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e134));
+                let _e322 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e136));
                 if (_e314 > _e320) {
-                    phi_907_ = _e314;
+                    phi_905_ = _e314;
                 } else {
-                    phi_907_ = _e320;
+                    phi_905_ = _e320;
                 }
-                let _e327 = phi_907_;
+                let _e325 = phi_905_;
                 if (_e315 > _e321) {
-                    phi_912_ = _e315;
+                    phi_910_ = _e315;
                 } else {
-                    phi_912_ = _e321;
+                    phi_910_ = _e321;
                 }
-                let _e330 = phi_912_;
-                let _e331 = core_intrinsics_maximum_number_nsz_f32_(_e324, _e327);
-                let _e332 = core_intrinsics_maximum_number_nsz_f32_(_e331, _e330);
-                let _e336 = (_e332 * 0.0000019073486f);
-                let _e337 = (abs(_e289) * _e336);
-                let _e338 = (abs(_e299) * _e336);
-                let _e339 = (abs(_e309) * _e336);
-                let _e343 = (_e332 * 0.0000009536743f);
-                let _e344 = (abs(_e289) * _e343);
-                let _e345 = (abs(_e299) * _e343);
-                let _e346 = (abs(_e309) * _e343);
-                if (_e289 < 0f) {
-                    phi_933_ = 0u;
+                let _e328 = phi_910_;
+                if (_e316 > _e322) {
+                    phi_915_ = _e316;
                 } else {
-                    phi_933_ = 1u;
+                    phi_915_ = _e322;
                 }
-                let _e349 = phi_933_;
-                if (_e299 < 0f) {
-                    phi_938_ = 0u;
+                let _e331 = phi_915_;
+                let _e332 = core_intrinsics_maximum_number_nsz_f32_(_e325, _e328);
+                let _e333 = core_intrinsics_maximum_number_nsz_f32_(_e332, _e331);
+                let _e337 = (_e333 * 0.0000019073486f);
+                let _e338 = (abs(_e290) * _e337);
+                let _e339 = (abs(_e300) * _e337);
+                let _e340 = (abs(_e310) * _e337);
+                let _e344 = (_e333 * 0.0000009536743f);
+                let _e345 = (abs(_e290) * _e344);
+                let _e346 = (abs(_e300) * _e344);
+                let _e347 = (abs(_e310) * _e344);
+                if (_e290 < 0f) {
+                    phi_936_ = 0u;
                 } else {
-                    phi_938_ = 2u;
+                    phi_936_ = 1u;
                 }
-                let _e352 = phi_938_;
-                if (_e309 < 0f) {
-                    phi_943_ = 0u;
+                let _e350 = phi_936_;
+                if (_e300 < 0f) {
+                    phi_941_ = 0u;
                 } else {
-                    phi_943_ = 4u;
+                    phi_941_ = 2u;
                 }
-                let _e355 = phi_943_;
-                let _e357 = ((_e349 | _e352) | _e355);
-                let _e358 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e112, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e358.first[0], _e358.first[1], _e358.first[2], _e358.first[3], _e358.first[4], _e358.first[5], _e358.first[6], _e358.first[7], _e358.first[8], _e358.first[9], _e358.first[10], _e358.first[11], _e358.first[12], _e358.first[13], _e358.first[14], _e358.first[15], _e358.first[16], _e358.first[17], _e358.first[18], _e358.first[19], _e358.first[20], _e358.first[21], _e358.first[22], _e358.first[23], _e358.first[24], _e358.first[25], _e358.first[26], _e358.first[27], _e358.first[28], _e358.first[29], _e358.first[30], _e358.first[31]), array<u32, 32>(_e358.mask[0], _e358.mask[1], _e358.mask[2], _e358.mask[3], _e358.mask[4], _e358.mask[5], _e358.mask[6], _e358.mask[7], _e358.mask[8], _e358.mask[9], _e358.mask[10], _e358.mask[11], _e358.mask[12], _e358.mask[13], _e358.mask[14], _e358.mask[15], _e358.mask[16], _e358.mask[17], _e358.mask[18], _e358.mask[19], _e358.mask[20], _e358.mask[21], _e358.mask[22], _e358.mask[23], _e358.mask[24], _e358.mask[25], _e358.mask[26], _e358.mask[27], _e358.mask[28], _e358.mask[29], _e358.mask[30], _e358.mask[31]), _e358.len, _e358.group, _e358.group_mask);
-                let _e432 = local_2.group_mask;
-                if ((_e432 & 4278190080u) == 0u) {
-                    let _e436 = local_2.len;
-                    if (_e436 == 0u) {
-                        phi_1057_ = false;
+                let _e353 = phi_941_;
+                if (_e310 < 0f) {
+                    phi_946_ = 0u;
+                } else {
+                    phi_946_ = 4u;
+                }
+                let _e356 = phi_946_;
+                let _e358 = ((_e350 | _e353) | _e356);
+                let _e359 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e112, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e359.first[0], _e359.first[1], _e359.first[2], _e359.first[3], _e359.first[4], _e359.first[5], _e359.first[6], _e359.first[7], _e359.first[8], _e359.first[9], _e359.first[10], _e359.first[11], _e359.first[12], _e359.first[13], _e359.first[14], _e359.first[15], _e359.first[16], _e359.first[17], _e359.first[18], _e359.first[19], _e359.first[20], _e359.first[21], _e359.first[22], _e359.first[23], _e359.first[24], _e359.first[25], _e359.first[26], _e359.first[27], _e359.first[28], _e359.first[29], _e359.first[30], _e359.first[31]), array<u32, 32>(_e359.mask[0], _e359.mask[1], _e359.mask[2], _e359.mask[3], _e359.mask[4], _e359.mask[5], _e359.mask[6], _e359.mask[7], _e359.mask[8], _e359.mask[9], _e359.mask[10], _e359.mask[11], _e359.mask[12], _e359.mask[13], _e359.mask[14], _e359.mask[15], _e359.mask[16], _e359.mask[17], _e359.mask[18], _e359.mask[19], _e359.mask[20], _e359.mask[21], _e359.mask[22], _e359.mask[23], _e359.mask[24], _e359.mask[25], _e359.mask[26], _e359.mask[27], _e359.mask[28], _e359.mask[29], _e359.mask[30], _e359.mask[31]), _e359.len, _e359.group, _e359.group_mask);
+                let _e433 = local_2.group_mask;
+                if ((_e433 & 4278190080u) == 0u) {
+                    let _e437 = local_2.len;
+                    if (_e437 == 0u) {
+                        phi_1060_ = false;
                     } else {
-                        let _e440 = local_2.len;
-                        local_2.len = (_e440 - 1u);
-                        let _e443 = local_2.len;
-                        if (_e443 < 32u) {
+                        let _e441 = local_2.len;
+                        local_2.len = (_e441 - 1u);
+                        let _e444 = local_2.len;
+                        if (_e444 < 32u) {
                         } else {
                             return;
                         }
-                        let _e448 = local_2.first[(0u + _e443)];
-                        local_2.group = _e448;
-                        let _e451 = local_2.len;
-                        if (_e451 < 32u) {
+                        let _e449 = local_2.first[(0u + _e444)];
+                        local_2.group = _e449;
+                        let _e452 = local_2.len;
+                        if (_e452 < 32u) {
                         } else {
                             return;
                         }
-                        let _e456 = local_2.mask[(0u + _e451)];
-                        local_2.group_mask = _e456;
-                        phi_1057_ = true;
+                        let _e457 = local_2.mask[(0u + _e452)];
+                        local_2.group_mask = _e457;
+                        phi_1060_ = true;
                     }
-                    let _e459 = phi_1057_;
-                    phi_1058_ = _e459;
+                    let _e460 = phi_1060_;
+                    phi_1061_ = _e460;
                 } else {
-                    phi_1058_ = true;
+                    phi_1061_ = true;
                 }
-                let _e461 = phi_1058_;
-                if _e461 {
-                    let _e463 = local_2.group_mask;
-                    let _e469 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e463)), 32u, (_e463 == 0u)));
-                    let _e473 = local_2.group_mask;
-                    let _e487 = local_2.group_mask;
-                    local_2.group_mask = (_e487 & ~((1u << bitcast<u32>((_e469 & 31u)))));
-                    let _e490 = local_2.group;
-                    phi_1089_ = (_e490 + countOneBits(((_e473 & ~((4294967295u << bitcast<u32>((((_e469 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e462 = phi_1061_;
+                if _e462 {
+                    let _e464 = local_2.group_mask;
+                    let _e470 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e464)), 32u, (_e464 == 0u)));
+                    let _e474 = local_2.group_mask;
+                    let _e488 = local_2.group_mask;
+                    local_2.group_mask = (_e488 & ~((1u << bitcast<u32>((_e470 & 31u)))));
+                    let _e491 = local_2.group;
+                    phi_1092_ = (_e491 + countOneBits(((_e474 & ~((4294967295u << bitcast<u32>((((_e470 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1089_ = 4294967295u;
+                    phi_1092_ = 4294967295u;
                 }
-                let _e493 = phi_1089_;
-                phi_1091_ = _e493;
-                phi_1094_ = false;
+                let _e494 = phi_1092_;
+                phi_1094_ = _e494;
+                phi_1097_ = false;
                 loop {
-                    let _e495 = phi_1091_;
-                    let _e497 = phi_1094_;
-                    if (_e495 != 4294967295u) {
-                        if (_e495 < _e76) {
+                    let _e496 = phi_1094_;
+                    let _e498 = phi_1097_;
+                    if (_e496 != 4294967295u) {
+                        if (_e496 < _e76) {
                         } else {
                             return;
                         }
-                        let _e504 = nodes.member[(0u + _e495)].frame[3u];
-                        let _e529 = (bitcast<f32>((((_e504 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e289);
-                        let _e530 = (bitcast<f32>((((_e504 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e299);
-                        let _e531 = (bitcast<f32>((((_e504 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e309);
-                        let _e534 = nodes.member[(0u + _e495)].frame[0u];
-                        let _e538 = nodes.member[(0u + _e495)].frame[1u];
-                        let _e542 = nodes.member[(0u + _e495)].frame[2u];
-                        let _e547 = ((bitcast<f32>(_e534) - _e133) * _e289);
-                        let _e548 = ((bitcast<f32>(_e538) - _e135) * _e299);
-                        let _e549 = ((bitcast<f32>(_e542) - _e137) * _e309);
-                        let _e557 = nodes.member[(0u + _e495)].x;
-                        if (_e289 < 0f) {
-                            let _e568 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e557.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e568.unnamed.root, _e557.w), _e568.unnamed_1);
-                            let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e574.unnamed, lt_bvh_traverse_Tree(_e557.x, _e574.unnamed_1.first_primitive));
-                            phi_1174_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_bvh_traverse_Tree(_e580.unnamed_1.root, _e557.y));
+                        let _e505 = nodes.member[(0u + _e496)].frame[3u];
+                        let _e530 = (bitcast<f32>((((_e505 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e290);
+                        let _e531 = (bitcast<f32>((((_e505 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e300);
+                        let _e532 = (bitcast<f32>((((_e505 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
+                        let _e535 = nodes.member[(0u + _e496)].frame[0u];
+                        let _e539 = nodes.member[(0u + _e496)].frame[1u];
+                        let _e543 = nodes.member[(0u + _e496)].frame[2u];
+                        let _e548 = ((bitcast<f32>(_e535) - _e132) * _e290);
+                        let _e549 = ((bitcast<f32>(_e539) - _e134) * _e300);
+                        let _e550 = ((bitcast<f32>(_e543) - _e136) * _e310);
+                        let _e558 = nodes.member[(0u + _e496)].x;
+                        if (_e290 < 0f) {
+                            let _e569 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e558.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e575 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e569.unnamed.root, _e558.w), _e569.unnamed_1);
+                            let _e581 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e575.unnamed, lt_bvh_traverse_Tree(_e558.x, _e575.unnamed_1.first_primitive));
+                            phi_1177_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e581.unnamed, lt_bvh_traverse_Tree(_e581.unnamed_1.root, _e558.y));
                         } else {
-                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e557.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e596.unnamed.root, _e557.y), _e596.unnamed_1);
-                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_bvh_traverse_Tree(_e557.z, _e602.unnamed_1.first_primitive));
-                            phi_1174_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e608.unnamed, lt_bvh_traverse_Tree(_e608.unnamed_1.root, _e557.w));
+                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e558.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.unnamed.root, _e558.y), _e597.unnamed_1);
+                            let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e558.z, _e603.unnamed_1.first_primitive));
+                            phi_1177_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e609.unnamed, lt_bvh_traverse_Tree(_e609.unnamed_1.root, _e558.w));
                         }
-                        let _e616 = phi_1174_;
-                        let _e626 = nodes.member[(0u + _e495)].y;
-                        if (_e299 < 0f) {
-                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e626.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e637.unnamed.root, _e626.w), _e637.unnamed_1);
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e643.unnamed, lt_bvh_traverse_Tree(_e626.x, _e643.unnamed_1.first_primitive));
-                            phi_1201_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_bvh_traverse_Tree(_e649.unnamed_1.root, _e626.y));
+                        let _e617 = phi_1177_;
+                        let _e627 = nodes.member[(0u + _e496)].y;
+                        if (_e300 < 0f) {
+                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e627.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.unnamed.root, _e627.w), _e638.unnamed_1);
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e627.x, _e644.unnamed_1.first_primitive));
+                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e650.unnamed_1.root, _e627.y));
                         } else {
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e626.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e665.unnamed.root, _e626.y), _e665.unnamed_1);
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e626.z, _e671.unnamed_1.first_primitive));
-                            phi_1201_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_bvh_traverse_Tree(_e677.unnamed_1.root, _e626.w));
+                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e627.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.unnamed.root, _e627.y), _e666.unnamed_1);
+                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e627.z, _e672.unnamed_1.first_primitive));
+                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_bvh_traverse_Tree(_e678.unnamed_1.root, _e627.w));
                         }
-                        let _e685 = phi_1201_;
-                        let _e695 = nodes.member[(0u + _e495)].z;
-                        if (_e309 < 0f) {
-                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e695.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e706.unnamed.root, _e695.w), _e706.unnamed_1);
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_bvh_traverse_Tree(_e695.x, _e712.unnamed_1.first_primitive));
-                            phi_1228_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e718.unnamed_1.root, _e695.y));
+                        let _e686 = phi_1204_;
+                        let _e696 = nodes.member[(0u + _e496)].z;
+                        if (_e310 < 0f) {
+                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e696.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.unnamed.root, _e696.w), _e707.unnamed_1);
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e696.x, _e713.unnamed_1.first_primitive));
+                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e719.unnamed_1.root, _e696.y));
                         } else {
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e695.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e734.unnamed.root, _e695.y), _e734.unnamed_1);
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e695.z, _e740.unnamed_1.first_primitive));
-                            phi_1228_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_bvh_traverse_Tree(_e746.unnamed_1.root, _e695.w));
+                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e696.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.unnamed.root, _e696.y), _e735.unnamed_1);
+                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e696.z, _e741.unnamed_1.first_primitive));
+                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_bvh_traverse_Tree(_e747.unnamed_1.root, _e696.w));
                         }
-                        let _e754 = phi_1228_;
-                        phi_1234_ = 0u;
+                        let _e755 = phi_1231_;
                         phi_1237_ = 0u;
+                        phi_1240_ = 0u;
                         loop {
-                            let _e764 = phi_1234_;
-                            let _e766 = phi_1237_;
-                            local_3 = _e766;
-                            local_4 = _e766;
-                            local_5 = _e766;
-                            let _e767 = (_e764 < 8u);
-                            if _e767 {
-                                let _e769 = (_e764 >> bitcast<u32>(2i));
-                                let _e770 = (_e764 & 3u);
-                                if (_e769 == 0u) {
-                                    phi_1251_ = _e616.unnamed.root;
+                            let _e765 = phi_1237_;
+                            let _e767 = phi_1240_;
+                            local_3 = _e767;
+                            local_4 = _e767;
+                            local_5 = _e767;
+                            let _e768 = (_e765 < 8u);
+                            if _e768 {
+                                let _e770 = (_e765 >> bitcast<u32>(2i));
+                                let _e771 = (_e765 & 3u);
+                                if (_e770 == 0u) {
+                                    phi_1254_ = _e617.unnamed.root;
                                 } else {
-                                    phi_1251_ = _e616.unnamed.first_primitive;
+                                    phi_1254_ = _e617.unnamed.first_primitive;
                                 }
-                                let _e773 = phi_1251_;
-                                if (_e769 == 0u) {
-                                    phi_1261_ = _e685.unnamed.root;
+                                let _e774 = phi_1254_;
+                                if (_e770 == 0u) {
+                                    phi_1264_ = _e686.unnamed.root;
                                 } else {
-                                    phi_1261_ = _e685.unnamed.first_primitive;
+                                    phi_1264_ = _e686.unnamed.first_primitive;
                                 }
-                                let _e782 = phi_1261_;
-                                if (_e769 == 0u) {
-                                    phi_1271_ = _e754.unnamed.root;
+                                let _e783 = phi_1264_;
+                                if (_e770 == 0u) {
+                                    phi_1274_ = _e755.unnamed.root;
                                 } else {
-                                    phi_1271_ = _e754.unnamed.first_primitive;
+                                    phi_1274_ = _e755.unnamed.first_primitive;
                                 }
-                                let _e791 = phi_1271_;
-                                let _e804 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e773 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e337)), ((f32(((_e782 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e530) + (_e548 - _e338)));
-                                let _e805 = core_intrinsics_maximum_number_nsz_f32_(_e804, ((f32(((_e791 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e339)));
-                                if (_e769 == 0u) {
-                                    phi_1289_ = _e616.unnamed_1.root;
+                                let _e792 = phi_1274_;
+                                let _e805 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e774 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e530) + (_e548 - _e338)), ((f32(((_e783 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e339)));
+                                let _e806 = core_intrinsics_maximum_number_nsz_f32_(_e805, ((f32(((_e792 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e340)));
+                                if (_e770 == 0u) {
+                                    phi_1292_ = _e617.unnamed_1.root;
                                 } else {
-                                    phi_1289_ = _e616.unnamed_1.first_primitive;
+                                    phi_1292_ = _e617.unnamed_1.first_primitive;
                                 }
-                                let _e808 = phi_1289_;
-                                if (_e769 == 0u) {
-                                    phi_1299_ = _e685.unnamed_1.root;
+                                let _e809 = phi_1292_;
+                                if (_e770 == 0u) {
+                                    phi_1302_ = _e686.unnamed_1.root;
                                 } else {
-                                    phi_1299_ = _e685.unnamed_1.first_primitive;
+                                    phi_1302_ = _e686.unnamed_1.first_primitive;
                                 }
-                                let _e817 = phi_1299_;
-                                if (_e769 == 0u) {
-                                    phi_1309_ = _e754.unnamed_1.root;
+                                let _e818 = phi_1302_;
+                                if (_e770 == 0u) {
+                                    phi_1312_ = _e755.unnamed_1.root;
                                 } else {
-                                    phi_1309_ = _e754.unnamed_1.first_primitive;
+                                    phi_1312_ = _e755.unnamed_1.first_primitive;
                                 }
-                                let _e826 = phi_1309_;
-                                let _e839 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e808 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e337)), ((f32(((_e817 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e530) + (_e548 + _e338)));
-                                let _e840 = core_intrinsics_minimum_number_nsz_f32_(_e839, ((f32(((_e826 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e339)));
-                                if (_e805 <= _e840) {
-                                    if (_e805 <= _e141) {
-                                        if (_e840 >= 0f) {
-                                            if (_e769 == 0u) {
-                                                let _e847 = nodes.member[(0u + _e495)].links[2u];
-                                                phi_1345_ = _e847;
+                                let _e827 = phi_1312_;
+                                let _e840 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e809 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e530) + (_e548 + _e338)), ((f32(((_e818 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e339)));
+                                let _e841 = core_intrinsics_minimum_number_nsz_f32_(_e840, ((f32(((_e827 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e340)));
+                                if (_e806 <= _e841) {
+                                    if (_e806 <= _e142) {
+                                        if (_e841 >= 0f) {
+                                            if (_e770 == 0u) {
+                                                let _e848 = nodes.member[(0u + _e496)].links[2u];
+                                                phi_1348_ = _e848;
                                             } else {
-                                                let _e850 = nodes.member[(0u + _e495)].links[3u];
-                                                phi_1345_ = _e850;
+                                                let _e851 = nodes.member[(0u + _e496)].links[3u];
+                                                phi_1348_ = _e851;
                                             }
-                                            let _e852 = phi_1345_;
-                                            let _e857 = ((_e852 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u);
-                                            let _e858 = (_e857 & 31u);
-                                            if (_e858 >= 24u) {
-                                                phi_1358_ = (24u + ((_e858 - 24u) ^ _e357));
+                                            let _e853 = phi_1348_;
+                                            let _e858 = ((_e853 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u);
+                                            let _e859 = (_e858 & 31u);
+                                            if (_e859 >= 24u) {
+                                                phi_1361_ = (24u + ((_e859 - 24u) ^ _e358));
                                             } else {
-                                                phi_1358_ = _e858;
+                                                phi_1361_ = _e859;
                                             }
-                                            let _e864 = phi_1358_;
-                                            phi_1363_ = (_e766 | ((_e857 >> bitcast<u32>(5i)) << bitcast<u32>((_e864 & 31u))));
+                                            let _e865 = phi_1361_;
+                                            phi_1366_ = (_e767 | ((_e858 >> bitcast<u32>(5i)) << bitcast<u32>((_e865 & 31u))));
                                         } else {
-                                            phi_1363_ = _e766;
+                                            phi_1366_ = _e767;
                                         }
-                                        let _e872 = phi_1363_;
-                                        phi_1364_ = _e872;
+                                        let _e873 = phi_1366_;
+                                        phi_1367_ = _e873;
                                     } else {
-                                        phi_1364_ = _e766;
+                                        phi_1367_ = _e767;
                                     }
-                                    let _e874 = phi_1364_;
-                                    phi_1365_ = _e874;
+                                    let _e875 = phi_1367_;
+                                    phi_1368_ = _e875;
                                 } else {
-                                    phi_1365_ = _e766;
+                                    phi_1368_ = _e767;
                                 }
-                                let _e876 = phi_1365_;
-                                phi_1235_ = (_e764 + 1u);
-                                phi_1238_ = _e876;
+                                let _e877 = phi_1368_;
+                                phi_1238_ = (_e765 + 1u);
+                                phi_1241_ = _e877;
                             } else {
-                                phi_1235_ = u32();
                                 phi_1238_ = u32();
+                                phi_1241_ = u32();
                             }
-                            let _e879 = phi_1235_;
-                            let _e881 = phi_1238_;
+                            let _e880 = phi_1238_;
+                            let _e882 = phi_1241_;
                             continue;
                             continuing {
-                                phi_1234_ = _e879;
-                                phi_1237_ = _e881;
-                                break if !(_e767);
+                                phi_1237_ = _e880;
+                                phi_1240_ = _e882;
+                                break if !(_e768);
                             }
                         }
-                        let _e885 = nodes.member[(0u + _e495)].links[0u];
-                        let _e889 = nodes.member[(0u + _e495)].frame[3u];
-                        let _e893 = local_3;
-                        if ((_e893 & 4278190080u) == 0u) {
+                        let _e886 = nodes.member[(0u + _e496)].links[0u];
+                        let _e890 = nodes.member[(0u + _e496)].frame[3u];
+                        let _e894 = local_3;
+                        if ((_e894 & 4278190080u) == 0u) {
                         } else {
-                            let _e897 = local_2.group_mask;
-                            if ((_e897 & 4278190080u) == 0u) {
+                            let _e898 = local_2.group_mask;
+                            if ((_e898 & 4278190080u) == 0u) {
                             } else {
-                                let _e901 = local_2.len;
-                                if (_e901 < 32u) {
-                                    let _e904 = local_2.group;
-                                    let _e906 = local_2.len;
-                                    if (_e906 < 32u) {
+                                let _e902 = local_2.len;
+                                if (_e902 < 32u) {
+                                    let _e905 = local_2.group;
+                                    let _e907 = local_2.len;
+                                    if (_e907 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e906)] = _e904;
-                                    let _e912 = local_2.group_mask;
-                                    let _e914 = local_2.len;
-                                    if (_e914 < 32u) {
+                                    local_2.first[(0u + _e907)] = _e905;
+                                    let _e913 = local_2.group_mask;
+                                    let _e915 = local_2.len;
+                                    if (_e915 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e914)] = _e912;
-                                    let _e921 = local_2.len;
-                                    local_2.len = (_e921 + 1u);
+                                    local_2.mask[(0u + _e915)] = _e913;
+                                    let _e922 = local_2.len;
+                                    local_2.len = (_e922 + 1u);
                                 }
                             }
-                            local_2.group = (_e112 + _e885);
-                            let _e925 = local_4;
-                            local_2.group_mask = ((_e925 & 4278190080u) | (_e889 >> bitcast<u32>(24i)));
+                            local_2.group = (_e112 + _e886);
+                            let _e926 = local_4;
+                            local_2.group_mask = ((_e926 & 4278190080u) | (_e890 >> bitcast<u32>(24i)));
                         }
-                        let _e930 = local_5;
-                        phi_1423_ = (_e930 & 16777215u);
-                        phi_1426_ = _e497;
+                        let _e931 = local_5;
+                        phi_1426_ = (_e931 & 16777215u);
+                        phi_1429_ = _e498;
                         loop {
-                            let _e933 = phi_1423_;
-                            let _e935 = phi_1426_;
-                            local_18 = _e935;
-                            let _e936 = (_e933 == 0u);
-                            local_11 = _e936;
-                            local_19 = _e936;
-                            if _e936 {
-                                phi_1424_ = u32();
-                                phi_1427_ = bool();
-                                phi_3278_ = false;
+                            let _e934 = phi_1426_;
+                            let _e936 = phi_1429_;
+                            local_18 = _e936;
+                            let _e937 = (_e934 == 0u);
+                            local_11 = _e937;
+                            local_19 = _e937;
+                            if _e937 {
+                                phi_1427_ = u32();
+                                phi_1430_ = bool();
+                                phi_3281_ = false;
                             } else {
-                                let _e939 = nodes.member[(0u + _e495)].links[1u];
-                                let _e943 = (_e939 + select(firstTrailingBit(_e933), 32u, (_e933 == 0u)));
-                                if (_e943 < arrayLength((&instances.member))) {
+                                let _e940 = nodes.member[(0u + _e496)].links[1u];
+                                let _e944 = (_e940 + select(firstTrailingBit(_e934), 32u, (_e934 == 0u)));
+                                if (_e944 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e950 = instances.member[(0u + _e943)].low_world;
-                                let _e952 = instances.member[(0u + _e943)].high_world;
-                                let _e959 = ((_e950.x - _e133) * _e289);
-                                let _e960 = ((_e950.y - _e135) * _e299);
-                                let _e961 = ((_e950.z - _e137) * _e309);
-                                let _e968 = ((_e952.x - _e133) * _e289);
-                                let _e969 = ((_e952.y - _e135) * _e299);
-                                let _e970 = ((_e952.z - _e137) * _e309);
-                                if (_e959 < _e968) {
-                                    phi_1475_ = _e959;
-                                } else {
-                                    phi_1475_ = _e968;
-                                }
-                                let _e973 = phi_1475_;
+                                let _e951 = instances.member[(0u + _e944)].low_world;
+                                let _e953 = instances.member[(0u + _e944)].high_world;
+                                let _e960 = ((_e951.x - _e132) * _e290);
+                                let _e961 = ((_e951.y - _e134) * _e300);
+                                let _e962 = ((_e951.z - _e136) * _e310);
+                                let _e969 = ((_e953.x - _e132) * _e290);
+                                let _e970 = ((_e953.y - _e134) * _e300);
+                                let _e971 = ((_e953.z - _e136) * _e310);
                                 if (_e960 < _e969) {
-                                    phi_1480_ = _e960;
+                                    phi_1478_ = _e960;
                                 } else {
-                                    phi_1480_ = _e969;
+                                    phi_1478_ = _e969;
                                 }
-                                let _e976 = phi_1480_;
+                                let _e974 = phi_1478_;
                                 if (_e961 < _e970) {
-                                    phi_1485_ = _e961;
+                                    phi_1483_ = _e961;
                                 } else {
-                                    phi_1485_ = _e970;
+                                    phi_1483_ = _e970;
                                 }
-                                let _e979 = phi_1485_;
-                                if (_e959 > _e968) {
-                                    phi_1493_ = _e959;
+                                let _e977 = phi_1483_;
+                                if (_e962 < _e971) {
+                                    phi_1488_ = _e962;
                                 } else {
-                                    phi_1493_ = _e968;
+                                    phi_1488_ = _e971;
                                 }
-                                let _e985 = phi_1493_;
+                                let _e980 = phi_1488_;
                                 if (_e960 > _e969) {
-                                    phi_1498_ = _e960;
+                                    phi_1496_ = _e960;
                                 } else {
-                                    phi_1498_ = _e969;
+                                    phi_1496_ = _e969;
                                 }
-                                let _e988 = phi_1498_;
+                                let _e986 = phi_1496_;
                                 if (_e961 > _e970) {
-                                    phi_1503_ = _e961;
+                                    phi_1501_ = _e961;
                                 } else {
-                                    phi_1503_ = _e970;
+                                    phi_1501_ = _e970;
                                 }
-                                let _e991 = phi_1503_;
-                                let _e995 = core_intrinsics_maximum_number_nsz_f32_((_e973 - _e344), (_e976 - _e345));
-                                let _e996 = core_intrinsics_maximum_number_nsz_f32_(_e995, (_e979 - _e346));
-                                let _e997 = core_intrinsics_minimum_number_nsz_f32_((_e985 + _e344), (_e988 + _e345));
-                                let _e998 = core_intrinsics_minimum_number_nsz_f32_(_e997, (_e991 + _e346));
-                                if (_e996 <= _e998) {
-                                    if (_e996 <= _e141) {
-                                        if (_e998 >= 0f) {
-                                            let _e1004 = instances.member[(0u + _e943)].world_to_object[0u];
-                                            let _e1015 = ((((_e1004.x * _e133) + (_e1004.y * _e135)) + (_e1004.z * _e137)) + (_e1004.w * 1f));
-                                            let _e1017 = instances.member[(0u + _e943)].world_to_object[1u];
-                                            let _e1028 = ((((_e1017.x * _e133) + (_e1017.y * _e135)) + (_e1017.z * _e137)) + (_e1017.w * 1f));
-                                            let _e1030 = instances.member[(0u + _e943)].world_to_object[2u];
-                                            let _e1041 = ((((_e1030.x * _e133) + (_e1030.y * _e135)) + (_e1030.z * _e137)) + (_e1030.w * 1f));
-                                            let _e1044 = instances.member[(0u + _e943)].world_to_object[0u];
-                                            let _e1055 = ((((_e1044.x * _e149) + (_e1044.y * _e150)) + (_e1044.z * _e151)) + (_e1044.w * 0f));
-                                            let _e1057 = instances.member[(0u + _e943)].world_to_object[1u];
-                                            let _e1068 = ((((_e1057.x * _e149) + (_e1057.y * _e150)) + (_e1057.z * _e151)) + (_e1057.w * 0f));
-                                            let _e1070 = instances.member[(0u + _e943)].world_to_object[2u];
-                                            let _e1081 = ((((_e1070.x * _e149) + (_e1070.y * _e150)) + (_e1070.z * _e151)) + (_e1070.w * 0f));
-                                            let _e1084 = instances.member[(0u + _e943)].root;
-                                            let _e1086 = instances.member[(0u + _e943)].first_triangle;
-                                            let _e1090 = abs(_e1055);
-                                            let _e1091 = abs(_e1068);
-                                            let _e1092 = abs(_e1081);
-                                            if (abs(_e1015) < 1000000000000000f) {
-                                                if (abs(_e1028) < 1000000000000000f) {
-                                                    if (abs(_e1041) < 1000000000000000f) {
-                                                        if (_e1090 < 1000000000000000f) {
-                                                            if (_e1091 < 1000000000000000f) {
-                                                                if (_e1092 < 1000000000000000f) {
-                                                                    if (_e1090 > 0f) {
-                                                                        phi_1648_ = bool();
-                                                                        phi_1649_ = true;
+                                let _e989 = phi_1501_;
+                                if (_e962 > _e971) {
+                                    phi_1506_ = _e962;
+                                } else {
+                                    phi_1506_ = _e971;
+                                }
+                                let _e992 = phi_1506_;
+                                let _e996 = core_intrinsics_maximum_number_nsz_f32_((_e974 - _e345), (_e977 - _e346));
+                                let _e997 = core_intrinsics_maximum_number_nsz_f32_(_e996, (_e980 - _e347));
+                                let _e998 = core_intrinsics_minimum_number_nsz_f32_((_e986 + _e345), (_e989 + _e346));
+                                let _e999 = core_intrinsics_minimum_number_nsz_f32_(_e998, (_e992 + _e347));
+                                if (_e997 <= _e999) {
+                                    if (_e997 <= _e142) {
+                                        if (_e999 >= 0f) {
+                                            let _e1005 = instances.member[(0u + _e944)].world_to_object[0u];
+                                            let _e1016 = ((((_e1005.x * _e132) + (_e1005.y * _e134)) + (_e1005.z * _e136)) + (_e1005.w * 1f));
+                                            let _e1018 = instances.member[(0u + _e944)].world_to_object[1u];
+                                            let _e1029 = ((((_e1018.x * _e132) + (_e1018.y * _e134)) + (_e1018.z * _e136)) + (_e1018.w * 1f));
+                                            let _e1031 = instances.member[(0u + _e944)].world_to_object[2u];
+                                            let _e1042 = ((((_e1031.x * _e132) + (_e1031.y * _e134)) + (_e1031.z * _e136)) + (_e1031.w * 1f));
+                                            let _e1045 = instances.member[(0u + _e944)].world_to_object[0u];
+                                            let _e1056 = ((((_e1045.x * _e150) + (_e1045.y * _e151)) + (_e1045.z * _e152)) + (_e1045.w * 0f));
+                                            let _e1058 = instances.member[(0u + _e944)].world_to_object[1u];
+                                            let _e1069 = ((((_e1058.x * _e150) + (_e1058.y * _e151)) + (_e1058.z * _e152)) + (_e1058.w * 0f));
+                                            let _e1071 = instances.member[(0u + _e944)].world_to_object[2u];
+                                            let _e1082 = ((((_e1071.x * _e150) + (_e1071.y * _e151)) + (_e1071.z * _e152)) + (_e1071.w * 0f));
+                                            let _e1085 = instances.member[(0u + _e944)].root;
+                                            let _e1087 = instances.member[(0u + _e944)].first_triangle;
+                                            let _e1091 = abs(_e1056);
+                                            let _e1092 = abs(_e1069);
+                                            let _e1093 = abs(_e1082);
+                                            if (abs(_e1016) < 1000000000000000f) {
+                                                if (abs(_e1029) < 1000000000000000f) {
+                                                    if (abs(_e1042) < 1000000000000000f) {
+                                                        if (_e1091 < 1000000000000000f) {
+                                                            if (_e1092 < 1000000000000000f) {
+                                                                if (_e1093 < 1000000000000000f) {
+                                                                    if (_e1091 > 0f) {
+                                                                        phi_1651_ = bool();
+                                                                        phi_1652_ = true;
                                                                     } else {
-                                                                        let _e1100 = (_e1091 > 0f);
-                                                                        if _e1100 {
-                                                                            phi_1647_ = bool();
+                                                                        let _e1101 = (_e1092 > 0f);
+                                                                        if _e1101 {
+                                                                            phi_1650_ = bool();
                                                                         } else {
-                                                                            phi_1647_ = (_e1092 > 0f);
+                                                                            phi_1650_ = (_e1093 > 0f);
                                                                         }
-                                                                        let _e1103 = phi_1647_;
-                                                                        phi_1648_ = _e1103;
-                                                                        phi_1649_ = _e1100;
+                                                                        let _e1104 = phi_1650_;
+                                                                        phi_1651_ = _e1104;
+                                                                        phi_1652_ = _e1101;
                                                                     }
-                                                                    let _e1105 = phi_1648_;
-                                                                    let _e1107 = phi_1649_;
-                                                                    if _e1107 {
-                                                                        phi_1653_ = true;
+                                                                    let _e1106 = phi_1651_;
+                                                                    let _e1108 = phi_1652_;
+                                                                    if _e1108 {
+                                                                        phi_1656_ = true;
                                                                     } else {
-                                                                        phi_1653_ = _e1105;
+                                                                        phi_1656_ = _e1106;
                                                                     }
-                                                                    let _e1109 = phi_1653_;
-                                                                    phi_1654_ = _e1109;
-                                                                    phi_1655_ = false;
+                                                                    let _e1110 = phi_1656_;
+                                                                    phi_1657_ = _e1110;
+                                                                    phi_1658_ = false;
                                                                 } else {
-                                                                    phi_1654_ = bool();
-                                                                    phi_1655_ = true;
+                                                                    phi_1657_ = bool();
+                                                                    phi_1658_ = true;
                                                                 }
-                                                                let _e1111 = phi_1654_;
-                                                                let _e1113 = phi_1655_;
-                                                                phi_1656_ = _e1111;
-                                                                phi_1657_ = false;
-                                                                phi_1658_ = _e1113;
+                                                                let _e1112 = phi_1657_;
+                                                                let _e1114 = phi_1658_;
+                                                                phi_1659_ = _e1112;
+                                                                phi_1660_ = false;
+                                                                phi_1661_ = _e1114;
                                                             } else {
-                                                                phi_1656_ = bool();
-                                                                phi_1657_ = true;
-                                                                phi_1658_ = false;
+                                                                phi_1659_ = bool();
+                                                                phi_1660_ = true;
+                                                                phi_1661_ = false;
                                                             }
-                                                            let _e1115 = phi_1656_;
-                                                            let _e1117 = phi_1657_;
-                                                            let _e1119 = phi_1658_;
-                                                            phi_1659_ = _e1115;
-                                                            phi_1660_ = _e1117;
-                                                            phi_1661_ = _e1119;
+                                                            let _e1116 = phi_1659_;
+                                                            let _e1118 = phi_1660_;
+                                                            let _e1120 = phi_1661_;
+                                                            phi_1662_ = _e1116;
+                                                            phi_1663_ = _e1118;
+                                                            phi_1664_ = _e1120;
                                                         } else {
-                                                            phi_1659_ = bool();
-                                                            phi_1660_ = true;
-                                                            phi_1661_ = false;
+                                                            phi_1662_ = bool();
+                                                            phi_1663_ = true;
+                                                            phi_1664_ = false;
                                                         }
-                                                        let _e1121 = phi_1659_;
-                                                        let _e1123 = phi_1660_;
-                                                        let _e1125 = phi_1661_;
-                                                        phi_1662_ = _e1121;
-                                                        phi_1663_ = _e1123;
-                                                        phi_1664_ = _e1125;
+                                                        let _e1122 = phi_1662_;
+                                                        let _e1124 = phi_1663_;
+                                                        let _e1126 = phi_1664_;
+                                                        phi_1665_ = _e1122;
+                                                        phi_1666_ = _e1124;
+                                                        phi_1667_ = _e1126;
                                                     } else {
-                                                        phi_1662_ = bool();
-                                                        phi_1663_ = true;
-                                                        phi_1664_ = false;
+                                                        phi_1665_ = bool();
+                                                        phi_1666_ = true;
+                                                        phi_1667_ = false;
                                                     }
-                                                    let _e1127 = phi_1662_;
-                                                    let _e1129 = phi_1663_;
-                                                    let _e1131 = phi_1664_;
-                                                    phi_1665_ = _e1127;
-                                                    phi_1666_ = _e1129;
-                                                    phi_1667_ = _e1131;
+                                                    let _e1128 = phi_1665_;
+                                                    let _e1130 = phi_1666_;
+                                                    let _e1132 = phi_1667_;
+                                                    phi_1668_ = _e1128;
+                                                    phi_1669_ = _e1130;
+                                                    phi_1670_ = _e1132;
                                                 } else {
-                                                    phi_1665_ = bool();
-                                                    phi_1666_ = true;
-                                                    phi_1667_ = false;
+                                                    phi_1668_ = bool();
+                                                    phi_1669_ = true;
+                                                    phi_1670_ = false;
                                                 }
-                                                let _e1133 = phi_1665_;
-                                                let _e1135 = phi_1666_;
-                                                let _e1137 = phi_1667_;
-                                                phi_1668_ = _e1133;
-                                                phi_1669_ = _e1135;
-                                                phi_1670_ = _e1137;
+                                                let _e1134 = phi_1668_;
+                                                let _e1136 = phi_1669_;
+                                                let _e1138 = phi_1670_;
+                                                phi_1671_ = _e1134;
+                                                phi_1672_ = _e1136;
+                                                phi_1673_ = _e1138;
                                             } else {
-                                                phi_1668_ = bool();
-                                                phi_1669_ = true;
-                                                phi_1670_ = false;
+                                                phi_1671_ = bool();
+                                                phi_1672_ = true;
+                                                phi_1673_ = false;
                                             }
-                                            let _e1139 = phi_1668_;
-                                            let _e1141 = phi_1669_;
-                                            let _e1143 = phi_1670_;
-                                            if _e1141 {
-                                                phi_1674_ = true;
+                                            let _e1140 = phi_1671_;
+                                            let _e1142 = phi_1672_;
+                                            let _e1144 = phi_1673_;
+                                            if _e1142 {
+                                                phi_1677_ = true;
                                             } else {
-                                                phi_1674_ = _e1143;
+                                                phi_1677_ = _e1144;
                                             }
-                                            let _e1145 = phi_1674_;
-                                            if _e1145 {
-                                                phi_1678_ = false;
+                                            let _e1146 = phi_1677_;
+                                            if _e1146 {
+                                                phi_1681_ = false;
                                             } else {
-                                                phi_1678_ = _e1139;
+                                                phi_1681_ = _e1140;
                                             }
-                                            let _e1147 = phi_1678_;
-                                            if _e1147 {
-                                                let _e1148 = (_e1084 >= _e76);
-                                                if _e1148 {
-                                                    phi_3258_ = bool();
+                                            let _e1148 = phi_1681_;
+                                            if _e1148 {
+                                                let _e1149 = (_e1085 >= _e76);
+                                                if _e1149 {
+                                                    phi_3261_ = bool();
                                                 } else {
-                                                    if (_e1084 < _e76) {
+                                                    if (_e1085 < _e76) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1154 = nodes.member[(0u + _e1084)].frame[0u];
-                                                    let _e1158 = nodes.member[(0u + _e1084)].frame[1u];
-                                                    let _e1162 = nodes.member[(0u + _e1084)].frame[2u];
-                                                    let _e1166 = nodes.member[(0u + _e1084)].frame[0u];
-                                                    let _e1170 = nodes.member[(0u + _e1084)].frame[1u];
-                                                    let _e1174 = nodes.member[(0u + _e1084)].frame[2u];
-                                                    let _e1178 = nodes.member[(0u + _e1084)].frame[3u];
-                                                    let _e1212 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1055), abs(_e1068));
-                                                    let _e1213 = core_intrinsics_maximum_number_nsz_f32_(_e1212, abs(_e1081));
-                                                    let _e1214 = (_e1213 * 0.0000000000009094947f);
-                                                    if (abs(_e1055) < _e1214) {
-                                                        phi_1748_ = _e1214;
+                                                    let _e1155 = nodes.member[(0u + _e1085)].frame[0u];
+                                                    let _e1159 = nodes.member[(0u + _e1085)].frame[1u];
+                                                    let _e1163 = nodes.member[(0u + _e1085)].frame[2u];
+                                                    let _e1167 = nodes.member[(0u + _e1085)].frame[0u];
+                                                    let _e1171 = nodes.member[(0u + _e1085)].frame[1u];
+                                                    let _e1175 = nodes.member[(0u + _e1085)].frame[2u];
+                                                    let _e1179 = nodes.member[(0u + _e1085)].frame[3u];
+                                                    let _e1213 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1056), abs(_e1069));
+                                                    let _e1214 = core_intrinsics_maximum_number_nsz_f32_(_e1213, abs(_e1082));
+                                                    let _e1215 = (_e1214 * 0.0000000000009094947f);
+                                                    if (abs(_e1056) < _e1215) {
+                                                        phi_1751_ = _e1215;
                                                     } else {
-                                                        phi_1748_ = abs(_e1055);
+                                                        phi_1751_ = abs(_e1056);
                                                     }
-                                                    let _e1219 = phi_1748_;
-                                                    if (_e1055 < 0f) {
-                                                        phi_1755_ = (-1f / _e1219);
+                                                    let _e1220 = phi_1751_;
+                                                    if (_e1056 < 0f) {
+                                                        phi_1758_ = (-1f / _e1220);
                                                     } else {
-                                                        phi_1755_ = (1f / _e1219);
+                                                        phi_1758_ = (1f / _e1220);
                                                     }
-                                                    let _e1224 = phi_1755_;
-                                                    if (abs(_e1068) < _e1214) {
-                                                        phi_1762_ = _e1214;
+                                                    let _e1225 = phi_1758_;
+                                                    if (abs(_e1069) < _e1215) {
+                                                        phi_1765_ = _e1215;
                                                     } else {
-                                                        phi_1762_ = abs(_e1068);
+                                                        phi_1765_ = abs(_e1069);
                                                     }
-                                                    let _e1229 = phi_1762_;
-                                                    if (_e1068 < 0f) {
-                                                        phi_1769_ = (-1f / _e1229);
+                                                    let _e1230 = phi_1765_;
+                                                    if (_e1069 < 0f) {
+                                                        phi_1772_ = (-1f / _e1230);
                                                     } else {
-                                                        phi_1769_ = (1f / _e1229);
+                                                        phi_1772_ = (1f / _e1230);
                                                     }
-                                                    let _e1234 = phi_1769_;
-                                                    if (abs(_e1081) < _e1214) {
-                                                        phi_1776_ = _e1214;
+                                                    let _e1235 = phi_1772_;
+                                                    if (abs(_e1082) < _e1215) {
+                                                        phi_1779_ = _e1215;
                                                     } else {
-                                                        phi_1776_ = abs(_e1081);
+                                                        phi_1779_ = abs(_e1082);
                                                     }
-                                                    let _e1239 = phi_1776_;
-                                                    if (_e1081 < 0f) {
-                                                        phi_1783_ = (-1f / _e1239);
+                                                    let _e1240 = phi_1779_;
+                                                    if (_e1082 < 0f) {
+                                                        phi_1786_ = (-1f / _e1240);
                                                     } else {
-                                                        phi_1783_ = (1f / _e1239);
+                                                        phi_1786_ = (1f / _e1240);
                                                     }
-                                                    let _e1244 = phi_1783_;
-                                                    let _e1248 = abs((bitcast<f32>(_e1154) - _e1015));
-                                                    let _e1249 = abs((bitcast<f32>(_e1158) - _e1028));
-                                                    let _e1250 = abs((bitcast<f32>(_e1162) - _e1041));
-                                                    let _e1254 = abs(((bitcast<f32>(_e1166) + (bitcast<f32>((((_e1178 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1015));
-                                                    let _e1255 = abs(((bitcast<f32>(_e1170) + (bitcast<f32>((((_e1178 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1028));
-                                                    let _e1256 = abs(((bitcast<f32>(_e1174) + (bitcast<f32>((((_e1178 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1041));
-                                                    if (_e1248 > _e1254) {
-                                                        phi_1800_ = _e1248;
-                                                    } else {
-                                                        phi_1800_ = _e1254;
-                                                    }
-                                                    let _e1259 = phi_1800_;
+                                                    let _e1245 = phi_1786_;
+                                                    let _e1249 = abs((bitcast<f32>(_e1155) - _e1016));
+                                                    let _e1250 = abs((bitcast<f32>(_e1159) - _e1029));
+                                                    let _e1251 = abs((bitcast<f32>(_e1163) - _e1042));
+                                                    let _e1255 = abs(((bitcast<f32>(_e1167) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1016));
+                                                    let _e1256 = abs(((bitcast<f32>(_e1171) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1029));
+                                                    let _e1257 = abs(((bitcast<f32>(_e1175) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1042));
                                                     if (_e1249 > _e1255) {
-                                                        phi_1805_ = _e1249;
+                                                        phi_1803_ = _e1249;
                                                     } else {
-                                                        phi_1805_ = _e1255;
+                                                        phi_1803_ = _e1255;
                                                     }
-                                                    let _e1262 = phi_1805_;
+                                                    let _e1260 = phi_1803_;
                                                     if (_e1250 > _e1256) {
-                                                        phi_1810_ = _e1250;
+                                                        phi_1808_ = _e1250;
                                                     } else {
-                                                        phi_1810_ = _e1256;
+                                                        phi_1808_ = _e1256;
                                                     }
-                                                    let _e1265 = phi_1810_;
-                                                    let _e1266 = core_intrinsics_maximum_number_nsz_f32_(_e1259, _e1262);
-                                                    let _e1267 = core_intrinsics_maximum_number_nsz_f32_(_e1266, _e1265);
-                                                    let _e1271 = (_e1267 * 0.0000019073486f);
-                                                    let _e1272 = (abs(_e1224) * _e1271);
-                                                    let _e1273 = (abs(_e1234) * _e1271);
-                                                    let _e1274 = (abs(_e1244) * _e1271);
-                                                    let _e1278 = (_e1267 * 0.0000009536743f);
-                                                    let _e1279 = (abs(_e1224) * _e1278);
-                                                    let _e1280 = (abs(_e1234) * _e1278);
-                                                    let _e1281 = (abs(_e1244) * _e1278);
-                                                    let _e1282 = abs(_e1055);
-                                                    let _e1283 = abs(_e1068);
-                                                    let _e1284 = abs(_e1081);
-                                                    if (_e1282 >= _e1283) {
-                                                        if (_e1282 >= _e1284) {
-                                                            phi_1838_ = false;
+                                                    let _e1263 = phi_1808_;
+                                                    if (_e1251 > _e1257) {
+                                                        phi_1813_ = _e1251;
+                                                    } else {
+                                                        phi_1813_ = _e1257;
+                                                    }
+                                                    let _e1266 = phi_1813_;
+                                                    let _e1267 = core_intrinsics_maximum_number_nsz_f32_(_e1260, _e1263);
+                                                    let _e1268 = core_intrinsics_maximum_number_nsz_f32_(_e1267, _e1266);
+                                                    let _e1272 = (_e1268 * 0.0000019073486f);
+                                                    let _e1273 = (abs(_e1225) * _e1272);
+                                                    let _e1274 = (abs(_e1235) * _e1272);
+                                                    let _e1275 = (abs(_e1245) * _e1272);
+                                                    let _e1279 = (_e1268 * 0.0000009536743f);
+                                                    let _e1280 = (abs(_e1225) * _e1279);
+                                                    let _e1281 = (abs(_e1235) * _e1279);
+                                                    let _e1282 = (abs(_e1245) * _e1279);
+                                                    let _e1283 = abs(_e1056);
+                                                    let _e1284 = abs(_e1069);
+                                                    let _e1285 = abs(_e1082);
+                                                    if (_e1283 >= _e1284) {
+                                                        if (_e1283 >= _e1285) {
+                                                            phi_1841_ = false;
                                                         } else {
-                                                            phi_1838_ = true;
+                                                            phi_1841_ = true;
                                                         }
-                                                        let _e1288 = phi_1838_;
-                                                        phi_1839_ = _e1288;
+                                                        let _e1289 = phi_1841_;
+                                                        phi_1842_ = _e1289;
                                                     } else {
-                                                        phi_1839_ = true;
+                                                        phi_1842_ = true;
                                                     }
-                                                    let _e1290 = phi_1839_;
-                                                    if _e1290 {
-                                                        if (_e1283 >= _e1284) {
-                                                            phi_1847_ = 1u;
+                                                    let _e1291 = phi_1842_;
+                                                    if _e1291 {
+                                                        if (_e1284 >= _e1285) {
+                                                            phi_1850_ = 1u;
                                                         } else {
-                                                            phi_1847_ = 2u;
+                                                            phi_1850_ = 2u;
                                                         }
-                                                        let _e1293 = phi_1847_;
-                                                        phi_1848_ = _e1293;
+                                                        let _e1294 = phi_1850_;
+                                                        phi_1851_ = _e1294;
                                                     } else {
-                                                        phi_1848_ = 0u;
+                                                        phi_1851_ = 0u;
                                                     }
-                                                    let _e1295 = phi_1848_;
-                                                    if (_e1295 == 0u) {
-                                                        phi_1860_ = vec3<f32>(_e1068, _e1081, _e1055);
+                                                    let _e1296 = phi_1851_;
+                                                    if (_e1296 == 0u) {
+                                                        phi_1863_ = vec3<f32>(_e1069, _e1082, _e1056);
                                                     } else {
-                                                        if (_e1295 == 1u) {
-                                                            phi_1859_ = vec3<f32>(_e1081, _e1055, _e1068);
+                                                        if (_e1296 == 1u) {
+                                                            phi_1862_ = vec3<f32>(_e1082, _e1056, _e1069);
                                                         } else {
-                                                            phi_1859_ = vec3<f32>(_e1055, _e1068, _e1081);
+                                                            phi_1862_ = vec3<f32>(_e1056, _e1069, _e1082);
                                                         }
-                                                        let _e1301 = phi_1859_;
-                                                        phi_1860_ = _e1301;
+                                                        let _e1302 = phi_1862_;
+                                                        phi_1863_ = _e1302;
                                                     }
-                                                    let _e1303 = phi_1860_;
-                                                    let _e1306 = (_e1303.x / _e1303.z);
-                                                    let _e1309 = (_e1303.y / _e1303.z);
-                                                    if (_e1224 < 0f) {
-                                                        phi_1873_ = 0u;
+                                                    let _e1304 = phi_1863_;
+                                                    let _e1307 = (_e1304.x / _e1304.z);
+                                                    let _e1310 = (_e1304.y / _e1304.z);
+                                                    if (_e1225 < 0f) {
+                                                        phi_1876_ = 0u;
                                                     } else {
-                                                        phi_1873_ = 1u;
+                                                        phi_1876_ = 1u;
                                                     }
-                                                    let _e1314 = phi_1873_;
-                                                    if (_e1234 < 0f) {
-                                                        phi_1878_ = 0u;
+                                                    let _e1315 = phi_1876_;
+                                                    if (_e1235 < 0f) {
+                                                        phi_1881_ = 0u;
                                                     } else {
-                                                        phi_1878_ = 2u;
+                                                        phi_1881_ = 2u;
                                                     }
-                                                    let _e1317 = phi_1878_;
-                                                    if (_e1244 < 0f) {
-                                                        phi_1883_ = 0u;
+                                                    let _e1318 = phi_1881_;
+                                                    if (_e1245 < 0f) {
+                                                        phi_1886_ = 0u;
                                                     } else {
-                                                        phi_1883_ = 4u;
+                                                        phi_1886_ = 4u;
                                                     }
-                                                    let _e1320 = phi_1883_;
-                                                    let _e1322 = ((_e1314 | _e1317) | _e1320);
-                                                    let _e1323 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1084, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1323.first[0], _e1323.first[1], _e1323.first[2], _e1323.first[3], _e1323.first[4], _e1323.first[5], _e1323.first[6], _e1323.first[7], _e1323.first[8], _e1323.first[9], _e1323.first[10], _e1323.first[11], _e1323.first[12], _e1323.first[13], _e1323.first[14], _e1323.first[15], _e1323.first[16], _e1323.first[17], _e1323.first[18], _e1323.first[19], _e1323.first[20], _e1323.first[21], _e1323.first[22], _e1323.first[23], _e1323.first[24], _e1323.first[25], _e1323.first[26], _e1323.first[27], _e1323.first[28], _e1323.first[29], _e1323.first[30], _e1323.first[31]), array<u32, 32>(_e1323.mask[0], _e1323.mask[1], _e1323.mask[2], _e1323.mask[3], _e1323.mask[4], _e1323.mask[5], _e1323.mask[6], _e1323.mask[7], _e1323.mask[8], _e1323.mask[9], _e1323.mask[10], _e1323.mask[11], _e1323.mask[12], _e1323.mask[13], _e1323.mask[14], _e1323.mask[15], _e1323.mask[16], _e1323.mask[17], _e1323.mask[18], _e1323.mask[19], _e1323.mask[20], _e1323.mask[21], _e1323.mask[22], _e1323.mask[23], _e1323.mask[24], _e1323.mask[25], _e1323.mask[26], _e1323.mask[27], _e1323.mask[28], _e1323.mask[29], _e1323.mask[30], _e1323.mask[31]), _e1323.len, _e1323.group, _e1323.group_mask);
-                                                    let _e1397 = local_1.group_mask;
-                                                    if ((_e1397 & 4278190080u) == 0u) {
-                                                        let _e1401 = local_1.len;
-                                                        if (_e1401 == 0u) {
-                                                            phi_1997_ = false;
+                                                    let _e1321 = phi_1886_;
+                                                    let _e1323 = ((_e1315 | _e1318) | _e1321);
+                                                    let _e1324 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1085, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1324.first[0], _e1324.first[1], _e1324.first[2], _e1324.first[3], _e1324.first[4], _e1324.first[5], _e1324.first[6], _e1324.first[7], _e1324.first[8], _e1324.first[9], _e1324.first[10], _e1324.first[11], _e1324.first[12], _e1324.first[13], _e1324.first[14], _e1324.first[15], _e1324.first[16], _e1324.first[17], _e1324.first[18], _e1324.first[19], _e1324.first[20], _e1324.first[21], _e1324.first[22], _e1324.first[23], _e1324.first[24], _e1324.first[25], _e1324.first[26], _e1324.first[27], _e1324.first[28], _e1324.first[29], _e1324.first[30], _e1324.first[31]), array<u32, 32>(_e1324.mask[0], _e1324.mask[1], _e1324.mask[2], _e1324.mask[3], _e1324.mask[4], _e1324.mask[5], _e1324.mask[6], _e1324.mask[7], _e1324.mask[8], _e1324.mask[9], _e1324.mask[10], _e1324.mask[11], _e1324.mask[12], _e1324.mask[13], _e1324.mask[14], _e1324.mask[15], _e1324.mask[16], _e1324.mask[17], _e1324.mask[18], _e1324.mask[19], _e1324.mask[20], _e1324.mask[21], _e1324.mask[22], _e1324.mask[23], _e1324.mask[24], _e1324.mask[25], _e1324.mask[26], _e1324.mask[27], _e1324.mask[28], _e1324.mask[29], _e1324.mask[30], _e1324.mask[31]), _e1324.len, _e1324.group, _e1324.group_mask);
+                                                    let _e1398 = local_1.group_mask;
+                                                    if ((_e1398 & 4278190080u) == 0u) {
+                                                        let _e1402 = local_1.len;
+                                                        if (_e1402 == 0u) {
+                                                            phi_2000_ = false;
                                                         } else {
-                                                            let _e1405 = local_1.len;
-                                                            local_1.len = (_e1405 - 1u);
-                                                            let _e1408 = local_1.len;
-                                                            if (_e1408 < 32u) {
+                                                            let _e1406 = local_1.len;
+                                                            local_1.len = (_e1406 - 1u);
+                                                            let _e1409 = local_1.len;
+                                                            if (_e1409 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1413 = local_1.first[(0u + _e1408)];
-                                                            local_1.group = _e1413;
-                                                            let _e1416 = local_1.len;
-                                                            if (_e1416 < 32u) {
+                                                            let _e1414 = local_1.first[(0u + _e1409)];
+                                                            local_1.group = _e1414;
+                                                            let _e1417 = local_1.len;
+                                                            if (_e1417 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1421 = local_1.mask[(0u + _e1416)];
-                                                            local_1.group_mask = _e1421;
-                                                            phi_1997_ = true;
+                                                            let _e1422 = local_1.mask[(0u + _e1417)];
+                                                            local_1.group_mask = _e1422;
+                                                            phi_2000_ = true;
                                                         }
-                                                        let _e1424 = phi_1997_;
-                                                        phi_1998_ = _e1424;
+                                                        let _e1425 = phi_2000_;
+                                                        phi_2001_ = _e1425;
                                                     } else {
-                                                        phi_1998_ = true;
+                                                        phi_2001_ = true;
                                                     }
-                                                    let _e1426 = phi_1998_;
-                                                    if _e1426 {
-                                                        let _e1428 = local_1.group_mask;
-                                                        let _e1434 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1428)), 32u, (_e1428 == 0u)));
-                                                        let _e1438 = local_1.group_mask;
-                                                        let _e1452 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1452 & ~((1u << bitcast<u32>((_e1434 & 31u)))));
-                                                        let _e1455 = local_1.group;
-                                                        phi_2029_ = (_e1455 + countOneBits(((_e1438 & ~((4294967295u << bitcast<u32>((((_e1434 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1427 = phi_2001_;
+                                                    if _e1427 {
+                                                        let _e1429 = local_1.group_mask;
+                                                        let _e1435 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1429)), 32u, (_e1429 == 0u)));
+                                                        let _e1439 = local_1.group_mask;
+                                                        let _e1453 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1453 & ~((1u << bitcast<u32>((_e1435 & 31u)))));
+                                                        let _e1456 = local_1.group;
+                                                        phi_2032_ = (_e1456 + countOneBits(((_e1439 & ~((4294967295u << bitcast<u32>((((_e1435 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2029_ = 4294967295u;
+                                                        phi_2032_ = 4294967295u;
                                                     }
-                                                    let _e1458 = phi_2029_;
-                                                    phi_2031_ = _e1458;
-                                                    phi_2034_ = _e935;
+                                                    let _e1459 = phi_2032_;
+                                                    phi_2034_ = _e1459;
+                                                    phi_2037_ = _e936;
                                                     loop {
-                                                        let _e1460 = phi_2031_;
-                                                        let _e1462 = phi_2034_;
-                                                        local_17 = _e1462;
-                                                        if (_e1460 != 4294967295u) {
-                                                            if (_e1460 < _e76) {
+                                                        let _e1461 = phi_2034_;
+                                                        let _e1463 = phi_2037_;
+                                                        local_17 = _e1463;
+                                                        if (_e1461 != 4294967295u) {
+                                                            if (_e1461 < _e76) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1469 = nodes.member[(0u + _e1460)].frame[3u];
-                                                            let _e1494 = (bitcast<f32>((((_e1469 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1224);
-                                                            let _e1495 = (bitcast<f32>((((_e1469 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1234);
-                                                            let _e1496 = (bitcast<f32>((((_e1469 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1244);
-                                                            let _e1499 = nodes.member[(0u + _e1460)].frame[0u];
-                                                            let _e1503 = nodes.member[(0u + _e1460)].frame[1u];
-                                                            let _e1507 = nodes.member[(0u + _e1460)].frame[2u];
-                                                            let _e1512 = ((bitcast<f32>(_e1499) - _e1015) * _e1224);
-                                                            let _e1513 = ((bitcast<f32>(_e1503) - _e1028) * _e1234);
-                                                            let _e1514 = ((bitcast<f32>(_e1507) - _e1041) * _e1244);
-                                                            let _e1522 = nodes.member[(0u + _e1460)].x;
-                                                            if (_e1224 < 0f) {
-                                                                let _e1533 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1522.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1539 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1533.unnamed.root, _e1522.w), _e1533.unnamed_1);
-                                                                let _e1545 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1539.unnamed, lt_bvh_traverse_Tree(_e1522.x, _e1539.unnamed_1.first_primitive));
-                                                                phi_2114_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1545.unnamed, lt_bvh_traverse_Tree(_e1545.unnamed_1.root, _e1522.y));
+                                                            let _e1470 = nodes.member[(0u + _e1461)].frame[3u];
+                                                            let _e1495 = (bitcast<f32>((((_e1470 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1225);
+                                                            let _e1496 = (bitcast<f32>((((_e1470 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1235);
+                                                            let _e1497 = (bitcast<f32>((((_e1470 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1245);
+                                                            let _e1500 = nodes.member[(0u + _e1461)].frame[0u];
+                                                            let _e1504 = nodes.member[(0u + _e1461)].frame[1u];
+                                                            let _e1508 = nodes.member[(0u + _e1461)].frame[2u];
+                                                            let _e1513 = ((bitcast<f32>(_e1500) - _e1016) * _e1225);
+                                                            let _e1514 = ((bitcast<f32>(_e1504) - _e1029) * _e1235);
+                                                            let _e1515 = ((bitcast<f32>(_e1508) - _e1042) * _e1245);
+                                                            let _e1523 = nodes.member[(0u + _e1461)].x;
+                                                            if (_e1225 < 0f) {
+                                                                let _e1534 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1523.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1540 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1534.unnamed.root, _e1523.w), _e1534.unnamed_1);
+                                                                let _e1546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1540.unnamed, lt_bvh_traverse_Tree(_e1523.x, _e1540.unnamed_1.first_primitive));
+                                                                phi_2117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1546.unnamed, lt_bvh_traverse_Tree(_e1546.unnamed_1.root, _e1523.y));
                                                             } else {
-                                                                let _e1561 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1522.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1561.unnamed.root, _e1522.y), _e1561.unnamed_1);
-                                                                let _e1573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1567.unnamed, lt_bvh_traverse_Tree(_e1522.z, _e1567.unnamed_1.first_primitive));
-                                                                phi_2114_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1573.unnamed, lt_bvh_traverse_Tree(_e1573.unnamed_1.root, _e1522.w));
+                                                                let _e1562 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1523.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1568 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1562.unnamed.root, _e1523.y), _e1562.unnamed_1);
+                                                                let _e1574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1568.unnamed, lt_bvh_traverse_Tree(_e1523.z, _e1568.unnamed_1.first_primitive));
+                                                                phi_2117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1574.unnamed, lt_bvh_traverse_Tree(_e1574.unnamed_1.root, _e1523.w));
                                                             }
-                                                            let _e1581 = phi_2114_;
-                                                            let _e1591 = nodes.member[(0u + _e1460)].y;
-                                                            if (_e1234 < 0f) {
-                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1591.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1602.unnamed.root, _e1591.w), _e1602.unnamed_1);
-                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_bvh_traverse_Tree(_e1591.x, _e1608.unnamed_1.first_primitive));
-                                                                phi_2141_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_bvh_traverse_Tree(_e1614.unnamed_1.root, _e1591.y));
+                                                            let _e1582 = phi_2117_;
+                                                            let _e1592 = nodes.member[(0u + _e1461)].y;
+                                                            if (_e1235 < 0f) {
+                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1592.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1603.unnamed.root, _e1592.w), _e1603.unnamed_1);
+                                                                let _e1615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_bvh_traverse_Tree(_e1592.x, _e1609.unnamed_1.first_primitive));
+                                                                phi_2144_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1615.unnamed, lt_bvh_traverse_Tree(_e1615.unnamed_1.root, _e1592.y));
                                                             } else {
-                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1591.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1630.unnamed.root, _e1591.y), _e1630.unnamed_1);
-                                                                let _e1642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_bvh_traverse_Tree(_e1591.z, _e1636.unnamed_1.first_primitive));
-                                                                phi_2141_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1642.unnamed, lt_bvh_traverse_Tree(_e1642.unnamed_1.root, _e1591.w));
+                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1592.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1631.unnamed.root, _e1592.y), _e1631.unnamed_1);
+                                                                let _e1643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_bvh_traverse_Tree(_e1592.z, _e1637.unnamed_1.first_primitive));
+                                                                phi_2144_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1643.unnamed, lt_bvh_traverse_Tree(_e1643.unnamed_1.root, _e1592.w));
                                                             }
-                                                            let _e1650 = phi_2141_;
-                                                            let _e1660 = nodes.member[(0u + _e1460)].z;
-                                                            if (_e1244 < 0f) {
-                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1660.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1671.unnamed.root, _e1660.w), _e1671.unnamed_1);
-                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1660.x, _e1677.unnamed_1.first_primitive));
-                                                                phi_2168_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_bvh_traverse_Tree(_e1683.unnamed_1.root, _e1660.y));
+                                                            let _e1651 = phi_2144_;
+                                                            let _e1661 = nodes.member[(0u + _e1461)].z;
+                                                            if (_e1245 < 0f) {
+                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1661.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1672.unnamed.root, _e1661.w), _e1672.unnamed_1);
+                                                                let _e1684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_bvh_traverse_Tree(_e1661.x, _e1678.unnamed_1.first_primitive));
+                                                                phi_2171_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1684.unnamed, lt_bvh_traverse_Tree(_e1684.unnamed_1.root, _e1661.y));
                                                             } else {
-                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1660.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1699.unnamed.root, _e1660.y), _e1699.unnamed_1);
-                                                                let _e1711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_bvh_traverse_Tree(_e1660.z, _e1705.unnamed_1.first_primitive));
-                                                                phi_2168_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1711.unnamed, lt_bvh_traverse_Tree(_e1711.unnamed_1.root, _e1660.w));
+                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1661.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1700.unnamed.root, _e1661.y), _e1700.unnamed_1);
+                                                                let _e1712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_bvh_traverse_Tree(_e1661.z, _e1706.unnamed_1.first_primitive));
+                                                                phi_2171_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1712.unnamed, lt_bvh_traverse_Tree(_e1712.unnamed_1.root, _e1661.w));
                                                             }
-                                                            let _e1719 = phi_2168_;
-                                                            phi_2174_ = 0u;
+                                                            let _e1720 = phi_2171_;
                                                             phi_2177_ = 0u;
+                                                            phi_2180_ = 0u;
                                                             loop {
-                                                                let _e1729 = phi_2174_;
-                                                                let _e1731 = phi_2177_;
-                                                                local_6 = _e1731;
-                                                                local_7 = _e1731;
-                                                                local_8 = _e1731;
-                                                                let _e1732 = (_e1729 < 8u);
-                                                                if _e1732 {
-                                                                    let _e1734 = (_e1729 >> bitcast<u32>(2i));
-                                                                    let _e1735 = (_e1729 & 3u);
-                                                                    if (_e1734 == 0u) {
-                                                                        phi_2191_ = _e1581.unnamed.root;
+                                                                let _e1730 = phi_2177_;
+                                                                let _e1732 = phi_2180_;
+                                                                local_6 = _e1732;
+                                                                local_7 = _e1732;
+                                                                local_8 = _e1732;
+                                                                let _e1733 = (_e1730 < 8u);
+                                                                if _e1733 {
+                                                                    let _e1735 = (_e1730 >> bitcast<u32>(2i));
+                                                                    let _e1736 = (_e1730 & 3u);
+                                                                    if (_e1735 == 0u) {
+                                                                        phi_2194_ = _e1582.unnamed.root;
                                                                     } else {
-                                                                        phi_2191_ = _e1581.unnamed.first_primitive;
+                                                                        phi_2194_ = _e1582.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1738 = phi_2191_;
-                                                                    if (_e1734 == 0u) {
-                                                                        phi_2201_ = _e1650.unnamed.root;
+                                                                    let _e1739 = phi_2194_;
+                                                                    if (_e1735 == 0u) {
+                                                                        phi_2204_ = _e1651.unnamed.root;
                                                                     } else {
-                                                                        phi_2201_ = _e1650.unnamed.first_primitive;
+                                                                        phi_2204_ = _e1651.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1747 = phi_2201_;
-                                                                    if (_e1734 == 0u) {
-                                                                        phi_2211_ = _e1719.unnamed.root;
+                                                                    let _e1748 = phi_2204_;
+                                                                    if (_e1735 == 0u) {
+                                                                        phi_2214_ = _e1720.unnamed.root;
                                                                     } else {
-                                                                        phi_2211_ = _e1719.unnamed.first_primitive;
+                                                                        phi_2214_ = _e1720.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1756 = phi_2211_;
-                                                                    let _e1769 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1738 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 - _e1272)), ((f32(((_e1747 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 - _e1273)));
-                                                                    let _e1770 = core_intrinsics_maximum_number_nsz_f32_(_e1769, ((f32(((_e1756 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1496) + (_e1514 - _e1274)));
-                                                                    if (_e1734 == 0u) {
-                                                                        phi_2229_ = _e1581.unnamed_1.root;
+                                                                    let _e1757 = phi_2214_;
+                                                                    let _e1770 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1739 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 - _e1273)), ((f32(((_e1748 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1496) + (_e1514 - _e1274)));
+                                                                    let _e1771 = core_intrinsics_maximum_number_nsz_f32_(_e1770, ((f32(((_e1757 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1497) + (_e1515 - _e1275)));
+                                                                    if (_e1735 == 0u) {
+                                                                        phi_2232_ = _e1582.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2229_ = _e1581.unnamed_1.first_primitive;
+                                                                        phi_2232_ = _e1582.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1773 = phi_2229_;
-                                                                    if (_e1734 == 0u) {
-                                                                        phi_2239_ = _e1650.unnamed_1.root;
+                                                                    let _e1774 = phi_2232_;
+                                                                    if (_e1735 == 0u) {
+                                                                        phi_2242_ = _e1651.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2239_ = _e1650.unnamed_1.first_primitive;
+                                                                        phi_2242_ = _e1651.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1782 = phi_2239_;
-                                                                    if (_e1734 == 0u) {
-                                                                        phi_2249_ = _e1719.unnamed_1.root;
+                                                                    let _e1783 = phi_2242_;
+                                                                    if (_e1735 == 0u) {
+                                                                        phi_2252_ = _e1720.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2249_ = _e1719.unnamed_1.first_primitive;
+                                                                        phi_2252_ = _e1720.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1791 = phi_2249_;
-                                                                    let _e1804 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1773 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 + _e1272)), ((f32(((_e1782 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 + _e1273)));
-                                                                    let _e1805 = core_intrinsics_minimum_number_nsz_f32_(_e1804, ((f32(((_e1791 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1496) + (_e1514 + _e1274)));
-                                                                    if (_e1770 <= _e1805) {
-                                                                        if (_e1770 <= _e141) {
-                                                                            if (_e1805 >= 0f) {
-                                                                                if (_e1734 == 0u) {
-                                                                                    let _e1812 = nodes.member[(0u + _e1460)].links[2u];
-                                                                                    phi_2285_ = _e1812;
+                                                                    let _e1792 = phi_2252_;
+                                                                    let _e1805 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1774 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 + _e1273)), ((f32(((_e1783 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1496) + (_e1514 + _e1274)));
+                                                                    let _e1806 = core_intrinsics_minimum_number_nsz_f32_(_e1805, ((f32(((_e1792 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1497) + (_e1515 + _e1275)));
+                                                                    if (_e1771 <= _e1806) {
+                                                                        if (_e1771 <= _e142) {
+                                                                            if (_e1806 >= 0f) {
+                                                                                if (_e1735 == 0u) {
+                                                                                    let _e1813 = nodes.member[(0u + _e1461)].links[2u];
+                                                                                    phi_2288_ = _e1813;
                                                                                 } else {
-                                                                                    let _e1815 = nodes.member[(0u + _e1460)].links[3u];
-                                                                                    phi_2285_ = _e1815;
+                                                                                    let _e1816 = nodes.member[(0u + _e1461)].links[3u];
+                                                                                    phi_2288_ = _e1816;
                                                                                 }
-                                                                                let _e1817 = phi_2285_;
-                                                                                let _e1822 = ((_e1817 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u);
-                                                                                let _e1823 = (_e1822 & 31u);
-                                                                                if (_e1823 >= 24u) {
-                                                                                    phi_2298_ = (24u + ((_e1823 - 24u) ^ _e1322));
+                                                                                let _e1818 = phi_2288_;
+                                                                                let _e1823 = ((_e1818 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u);
+                                                                                let _e1824 = (_e1823 & 31u);
+                                                                                if (_e1824 >= 24u) {
+                                                                                    phi_2301_ = (24u + ((_e1824 - 24u) ^ _e1323));
                                                                                 } else {
-                                                                                    phi_2298_ = _e1823;
+                                                                                    phi_2301_ = _e1824;
                                                                                 }
-                                                                                let _e1829 = phi_2298_;
-                                                                                phi_2303_ = (_e1731 | ((_e1822 >> bitcast<u32>(5i)) << bitcast<u32>((_e1829 & 31u))));
+                                                                                let _e1830 = phi_2301_;
+                                                                                phi_2306_ = (_e1732 | ((_e1823 >> bitcast<u32>(5i)) << bitcast<u32>((_e1830 & 31u))));
                                                                             } else {
-                                                                                phi_2303_ = _e1731;
+                                                                                phi_2306_ = _e1732;
                                                                             }
-                                                                            let _e1837 = phi_2303_;
-                                                                            phi_2304_ = _e1837;
+                                                                            let _e1838 = phi_2306_;
+                                                                            phi_2307_ = _e1838;
                                                                         } else {
-                                                                            phi_2304_ = _e1731;
+                                                                            phi_2307_ = _e1732;
                                                                         }
-                                                                        let _e1839 = phi_2304_;
-                                                                        phi_2305_ = _e1839;
+                                                                        let _e1840 = phi_2307_;
+                                                                        phi_2308_ = _e1840;
                                                                     } else {
-                                                                        phi_2305_ = _e1731;
+                                                                        phi_2308_ = _e1732;
                                                                     }
-                                                                    let _e1841 = phi_2305_;
-                                                                    phi_2175_ = (_e1729 + 1u);
-                                                                    phi_2178_ = _e1841;
+                                                                    let _e1842 = phi_2308_;
+                                                                    phi_2178_ = (_e1730 + 1u);
+                                                                    phi_2181_ = _e1842;
                                                                 } else {
-                                                                    phi_2175_ = u32();
                                                                     phi_2178_ = u32();
+                                                                    phi_2181_ = u32();
                                                                 }
-                                                                let _e1844 = phi_2175_;
-                                                                let _e1846 = phi_2178_;
+                                                                let _e1845 = phi_2178_;
+                                                                let _e1847 = phi_2181_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2174_ = _e1844;
-                                                                    phi_2177_ = _e1846;
-                                                                    break if !(_e1732);
+                                                                    phi_2177_ = _e1845;
+                                                                    phi_2180_ = _e1847;
+                                                                    break if !(_e1733);
                                                                 }
                                                             }
-                                                            let _e1850 = nodes.member[(0u + _e1460)].links[0u];
-                                                            let _e1854 = nodes.member[(0u + _e1460)].frame[3u];
-                                                            let _e1858 = local_6;
-                                                            if ((_e1858 & 4278190080u) == 0u) {
+                                                            let _e1851 = nodes.member[(0u + _e1461)].links[0u];
+                                                            let _e1855 = nodes.member[(0u + _e1461)].frame[3u];
+                                                            let _e1859 = local_6;
+                                                            if ((_e1859 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1862 = local_1.group_mask;
-                                                                if ((_e1862 & 4278190080u) == 0u) {
+                                                                let _e1863 = local_1.group_mask;
+                                                                if ((_e1863 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1866 = local_1.len;
-                                                                    if (_e1866 < 32u) {
-                                                                        let _e1869 = local_1.group;
-                                                                        let _e1871 = local_1.len;
-                                                                        if (_e1871 < 32u) {
+                                                                    let _e1867 = local_1.len;
+                                                                    if (_e1867 < 32u) {
+                                                                        let _e1870 = local_1.group;
+                                                                        let _e1872 = local_1.len;
+                                                                        if (_e1872 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1871)] = _e1869;
-                                                                        let _e1877 = local_1.group_mask;
-                                                                        let _e1879 = local_1.len;
-                                                                        if (_e1879 < 32u) {
+                                                                        local_1.first[(0u + _e1872)] = _e1870;
+                                                                        let _e1878 = local_1.group_mask;
+                                                                        let _e1880 = local_1.len;
+                                                                        if (_e1880 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1879)] = _e1877;
-                                                                        let _e1886 = local_1.len;
-                                                                        local_1.len = (_e1886 + 1u);
+                                                                        local_1.mask[(0u + _e1880)] = _e1878;
+                                                                        let _e1887 = local_1.len;
+                                                                        local_1.len = (_e1887 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1084 + _e1850);
-                                                                let _e1890 = local_7;
-                                                                local_1.group_mask = ((_e1890 & 4278190080u) | (_e1854 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1085 + _e1851);
+                                                                let _e1891 = local_7;
+                                                                local_1.group_mask = ((_e1891 & 4278190080u) | (_e1855 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1895 = local_8;
-                                                            phi_2363_ = (_e1895 & 16777215u);
-                                                            phi_2366_ = _e1462;
+                                                            let _e1896 = local_8;
+                                                            phi_2366_ = (_e1896 & 16777215u);
+                                                            phi_2369_ = _e1463;
                                                             loop {
-                                                                let _e1898 = phi_2363_;
-                                                                let _e1900 = phi_2366_;
-                                                                local_13 = _e1900;
-                                                                let _e1901 = (_e1898 == 0u);
-                                                                local_9 = _e1901;
-                                                                local_15 = _e1901;
-                                                                if _e1901 {
-                                                                    phi_2364_ = u32();
-                                                                    phi_2367_ = bool();
-                                                                    phi_3170_ = bool();
-                                                                    phi_3171_ = false;
+                                                                let _e1899 = phi_2366_;
+                                                                let _e1901 = phi_2369_;
+                                                                local_13 = _e1901;
+                                                                let _e1902 = (_e1899 == 0u);
+                                                                local_9 = _e1902;
+                                                                local_15 = _e1902;
+                                                                if _e1902 {
+                                                                    phi_2367_ = u32();
+                                                                    phi_2370_ = bool();
+                                                                    phi_3173_ = bool();
+                                                                    phi_3174_ = false;
                                                                 } else {
-                                                                    let _e1904 = nodes.member[(0u + _e1460)].links[1u];
-                                                                    let _e1909 = ((_e1086 + _e1904) + select(firstTrailingBit(_e1898), 32u, (_e1898 == 0u)));
-                                                                    if (_e1909 < _e79) {
+                                                                    let _e1905 = nodes.member[(0u + _e1461)].links[1u];
+                                                                    let _e1910 = ((_e1087 + _e1905) + select(firstTrailingBit(_e1899), 32u, (_e1899 == 0u)));
+                                                                    if (_e1910 < _e79) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1916 = triangles.member[(0u + _e1909)].v0_;
-                                                                    let _e1918 = (_e1916.x - _e1015);
-                                                                    let _e1920 = (_e1916.y - _e1028);
-                                                                    let _e1922 = (_e1916.z - _e1041);
-                                                                    if (_e1295 == 0u) {
-                                                                        phi_2411_ = vec3<f32>(_e1920, _e1922, _e1918);
+                                                                    let _e1917 = triangles.member[(0u + _e1910)].v0_;
+                                                                    let _e1919 = (_e1917.x - _e1016);
+                                                                    let _e1921 = (_e1917.y - _e1029);
+                                                                    let _e1923 = (_e1917.z - _e1042);
+                                                                    if (_e1296 == 0u) {
+                                                                        phi_2414_ = vec3<f32>(_e1921, _e1923, _e1919);
                                                                     } else {
-                                                                        if (_e1295 == 1u) {
-                                                                            phi_2410_ = vec3<f32>(_e1922, _e1918, _e1920);
+                                                                        if (_e1296 == 1u) {
+                                                                            phi_2413_ = vec3<f32>(_e1923, _e1919, _e1921);
                                                                         } else {
-                                                                            phi_2410_ = (_e1916 - vec3<f32>(_e1015, _e1028, _e1041));
+                                                                            phi_2413_ = (_e1917 - vec3<f32>(_e1016, _e1029, _e1042));
                                                                         }
-                                                                        let _e1930 = phi_2410_;
-                                                                        phi_2411_ = _e1930;
+                                                                        let _e1931 = phi_2413_;
+                                                                        phi_2414_ = _e1931;
                                                                     }
-                                                                    let _e1932 = phi_2411_;
-                                                                    let _e1936 = (_e1932.x - (_e1306 * _e1932.z));
-                                                                    let _e1940 = (_e1932.y - (_e1309 * _e1932.z));
-                                                                    let _e1942 = triangles.member[(0u + _e1909)].v1_;
-                                                                    let _e1944 = (_e1942.x - _e1015);
-                                                                    let _e1946 = (_e1942.y - _e1028);
-                                                                    let _e1948 = (_e1942.z - _e1041);
-                                                                    if (_e1295 == 0u) {
-                                                                        phi_2441_ = vec3<f32>(_e1946, _e1948, _e1944);
+                                                                    let _e1933 = phi_2414_;
+                                                                    let _e1937 = (_e1933.x - (_e1307 * _e1933.z));
+                                                                    let _e1941 = (_e1933.y - (_e1310 * _e1933.z));
+                                                                    let _e1943 = triangles.member[(0u + _e1910)].v1_;
+                                                                    let _e1945 = (_e1943.x - _e1016);
+                                                                    let _e1947 = (_e1943.y - _e1029);
+                                                                    let _e1949 = (_e1943.z - _e1042);
+                                                                    if (_e1296 == 0u) {
+                                                                        phi_2444_ = vec3<f32>(_e1947, _e1949, _e1945);
                                                                     } else {
-                                                                        if (_e1295 == 1u) {
-                                                                            phi_2440_ = vec3<f32>(_e1948, _e1944, _e1946);
+                                                                        if (_e1296 == 1u) {
+                                                                            phi_2443_ = vec3<f32>(_e1949, _e1945, _e1947);
                                                                         } else {
-                                                                            phi_2440_ = (_e1942 - vec3<f32>(_e1015, _e1028, _e1041));
+                                                                            phi_2443_ = (_e1943 - vec3<f32>(_e1016, _e1029, _e1042));
                                                                         }
-                                                                        let _e1956 = phi_2440_;
-                                                                        phi_2441_ = _e1956;
+                                                                        let _e1957 = phi_2443_;
+                                                                        phi_2444_ = _e1957;
                                                                     }
-                                                                    let _e1958 = phi_2441_;
-                                                                    let _e1962 = (_e1958.x - (_e1306 * _e1958.z));
-                                                                    let _e1966 = (_e1958.y - (_e1309 * _e1958.z));
-                                                                    let _e1968 = triangles.member[(0u + _e1909)].v2_;
-                                                                    let _e1970 = (_e1968.x - _e1015);
-                                                                    let _e1972 = (_e1968.y - _e1028);
-                                                                    let _e1974 = (_e1968.z - _e1041);
-                                                                    if (_e1295 == 0u) {
-                                                                        phi_2471_ = vec3<f32>(_e1972, _e1974, _e1970);
+                                                                    let _e1959 = phi_2444_;
+                                                                    let _e1963 = (_e1959.x - (_e1307 * _e1959.z));
+                                                                    let _e1967 = (_e1959.y - (_e1310 * _e1959.z));
+                                                                    let _e1969 = triangles.member[(0u + _e1910)].v2_;
+                                                                    let _e1971 = (_e1969.x - _e1016);
+                                                                    let _e1973 = (_e1969.y - _e1029);
+                                                                    let _e1975 = (_e1969.z - _e1042);
+                                                                    if (_e1296 == 0u) {
+                                                                        phi_2474_ = vec3<f32>(_e1973, _e1975, _e1971);
                                                                     } else {
-                                                                        if (_e1295 == 1u) {
-                                                                            phi_2470_ = vec3<f32>(_e1974, _e1970, _e1972);
+                                                                        if (_e1296 == 1u) {
+                                                                            phi_2473_ = vec3<f32>(_e1975, _e1971, _e1973);
                                                                         } else {
-                                                                            phi_2470_ = (_e1968 - vec3<f32>(_e1015, _e1028, _e1041));
+                                                                            phi_2473_ = (_e1969 - vec3<f32>(_e1016, _e1029, _e1042));
                                                                         }
-                                                                        let _e1982 = phi_2470_;
-                                                                        phi_2471_ = _e1982;
+                                                                        let _e1983 = phi_2473_;
+                                                                        phi_2474_ = _e1983;
                                                                     }
-                                                                    let _e1984 = phi_2471_;
-                                                                    let _e1988 = (_e1984.x - (_e1306 * _e1984.z));
-                                                                    let _e1992 = (_e1984.y - (_e1309 * _e1984.z));
-                                                                    if (_e1962 < _e1988) {
-                                                                        phi_2490_ = true;
+                                                                    let _e1985 = phi_2474_;
+                                                                    let _e1989 = (_e1985.x - (_e1307 * _e1985.z));
+                                                                    let _e1993 = (_e1985.y - (_e1310 * _e1985.z));
+                                                                    if (_e1963 < _e1989) {
+                                                                        phi_2493_ = true;
                                                                     } else {
-                                                                        if (_e1962 == _e1988) {
-                                                                            phi_2489_ = (_e1966 < _e1992);
+                                                                        if (_e1963 == _e1989) {
+                                                                            phi_2492_ = (_e1967 < _e1993);
                                                                         } else {
-                                                                            phi_2489_ = false;
+                                                                            phi_2492_ = false;
                                                                         }
-                                                                        let _e1997 = phi_2489_;
-                                                                        phi_2490_ = _e1997;
+                                                                        let _e1998 = phi_2492_;
+                                                                        phi_2493_ = _e1998;
                                                                     }
-                                                                    let _e1999 = phi_2490_;
-                                                                    if _e1999 {
-                                                                        phi_2494_ = _e1992;
-                                                                        phi_2495_ = _e1988;
-                                                                        phi_2496_ = _e1966;
-                                                                        phi_2497_ = _e1962;
+                                                                    let _e2000 = phi_2493_;
+                                                                    if _e2000 {
+                                                                        phi_2497_ = _e1993;
+                                                                        phi_2498_ = _e1989;
+                                                                        phi_2499_ = _e1967;
+                                                                        phi_2500_ = _e1963;
                                                                     } else {
-                                                                        phi_2494_ = _e1966;
-                                                                        phi_2495_ = _e1962;
-                                                                        phi_2496_ = _e1992;
-                                                                        phi_2497_ = _e1988;
+                                                                        phi_2497_ = _e1967;
+                                                                        phi_2498_ = _e1963;
+                                                                        phi_2499_ = _e1993;
+                                                                        phi_2500_ = _e1989;
                                                                     }
-                                                                    let _e2001 = phi_2494_;
-                                                                    let _e2003 = phi_2495_;
-                                                                    let _e2005 = phi_2496_;
-                                                                    let _e2007 = phi_2497_;
-                                                                    let _e2010 = ((_e2007 * _e2001) - (_e2005 * _e2003));
-                                                                    if _e1999 {
-                                                                        phi_2505_ = -(_e2010);
+                                                                    let _e2002 = phi_2497_;
+                                                                    let _e2004 = phi_2498_;
+                                                                    let _e2006 = phi_2499_;
+                                                                    let _e2008 = phi_2500_;
+                                                                    let _e2011 = ((_e2008 * _e2002) - (_e2006 * _e2004));
+                                                                    if _e2000 {
+                                                                        phi_2508_ = -(_e2011);
                                                                     } else {
-                                                                        phi_2505_ = _e2010;
+                                                                        phi_2508_ = _e2011;
                                                                     }
-                                                                    let _e2013 = phi_2505_;
-                                                                    if (_e1988 < _e1936) {
-                                                                        phi_2516_ = true;
+                                                                    let _e2014 = phi_2508_;
+                                                                    if (_e1989 < _e1937) {
+                                                                        phi_2519_ = true;
                                                                     } else {
-                                                                        if (_e1988 == _e1936) {
-                                                                            phi_2515_ = (_e1992 < _e1940);
+                                                                        if (_e1989 == _e1937) {
+                                                                            phi_2518_ = (_e1993 < _e1941);
                                                                         } else {
-                                                                            phi_2515_ = false;
+                                                                            phi_2518_ = false;
                                                                         }
-                                                                        let _e2018 = phi_2515_;
-                                                                        phi_2516_ = _e2018;
+                                                                        let _e2019 = phi_2518_;
+                                                                        phi_2519_ = _e2019;
                                                                     }
-                                                                    let _e2020 = phi_2516_;
-                                                                    if _e2020 {
-                                                                        phi_2520_ = _e1940;
-                                                                        phi_2521_ = _e1936;
-                                                                        phi_2522_ = _e1992;
-                                                                        phi_2523_ = _e1988;
+                                                                    let _e2021 = phi_2519_;
+                                                                    if _e2021 {
+                                                                        phi_2523_ = _e1941;
+                                                                        phi_2524_ = _e1937;
+                                                                        phi_2525_ = _e1993;
+                                                                        phi_2526_ = _e1989;
                                                                     } else {
-                                                                        phi_2520_ = _e1992;
-                                                                        phi_2521_ = _e1988;
-                                                                        phi_2522_ = _e1940;
-                                                                        phi_2523_ = _e1936;
+                                                                        phi_2523_ = _e1993;
+                                                                        phi_2524_ = _e1989;
+                                                                        phi_2525_ = _e1941;
+                                                                        phi_2526_ = _e1937;
                                                                     }
-                                                                    let _e2022 = phi_2520_;
-                                                                    let _e2024 = phi_2521_;
-                                                                    let _e2026 = phi_2522_;
-                                                                    let _e2028 = phi_2523_;
-                                                                    let _e2031 = ((_e2028 * _e2022) - (_e2026 * _e2024));
-                                                                    if _e2020 {
-                                                                        phi_2531_ = -(_e2031);
+                                                                    let _e2023 = phi_2523_;
+                                                                    let _e2025 = phi_2524_;
+                                                                    let _e2027 = phi_2525_;
+                                                                    let _e2029 = phi_2526_;
+                                                                    let _e2032 = ((_e2029 * _e2023) - (_e2027 * _e2025));
+                                                                    if _e2021 {
+                                                                        phi_2534_ = -(_e2032);
                                                                     } else {
-                                                                        phi_2531_ = _e2031;
+                                                                        phi_2534_ = _e2032;
                                                                     }
-                                                                    let _e2034 = phi_2531_;
-                                                                    if (_e1936 < _e1962) {
-                                                                        phi_2542_ = true;
+                                                                    let _e2035 = phi_2534_;
+                                                                    if (_e1937 < _e1963) {
+                                                                        phi_2545_ = true;
                                                                     } else {
-                                                                        if (_e1936 == _e1962) {
-                                                                            phi_2541_ = (_e1940 < _e1966);
+                                                                        if (_e1937 == _e1963) {
+                                                                            phi_2544_ = (_e1941 < _e1967);
                                                                         } else {
-                                                                            phi_2541_ = false;
+                                                                            phi_2544_ = false;
                                                                         }
-                                                                        let _e2039 = phi_2541_;
-                                                                        phi_2542_ = _e2039;
+                                                                        let _e2040 = phi_2544_;
+                                                                        phi_2545_ = _e2040;
                                                                     }
-                                                                    let _e2041 = phi_2542_;
-                                                                    if _e2041 {
-                                                                        phi_2546_ = _e1966;
-                                                                        phi_2547_ = _e1962;
-                                                                        phi_2548_ = _e1940;
-                                                                        phi_2549_ = _e1936;
+                                                                    let _e2042 = phi_2545_;
+                                                                    if _e2042 {
+                                                                        phi_2549_ = _e1967;
+                                                                        phi_2550_ = _e1963;
+                                                                        phi_2551_ = _e1941;
+                                                                        phi_2552_ = _e1937;
                                                                     } else {
-                                                                        phi_2546_ = _e1940;
-                                                                        phi_2547_ = _e1936;
-                                                                        phi_2548_ = _e1966;
-                                                                        phi_2549_ = _e1962;
+                                                                        phi_2549_ = _e1941;
+                                                                        phi_2550_ = _e1937;
+                                                                        phi_2551_ = _e1967;
+                                                                        phi_2552_ = _e1963;
                                                                     }
-                                                                    let _e2043 = phi_2546_;
-                                                                    let _e2045 = phi_2547_;
-                                                                    let _e2047 = phi_2548_;
-                                                                    let _e2049 = phi_2549_;
-                                                                    let _e2052 = ((_e2049 * _e2043) - (_e2047 * _e2045));
-                                                                    if _e2041 {
-                                                                        phi_2557_ = -(_e2052);
+                                                                    let _e2044 = phi_2549_;
+                                                                    let _e2046 = phi_2550_;
+                                                                    let _e2048 = phi_2551_;
+                                                                    let _e2050 = phi_2552_;
+                                                                    let _e2053 = ((_e2050 * _e2044) - (_e2048 * _e2046));
+                                                                    if _e2042 {
+                                                                        phi_2560_ = -(_e2053);
                                                                     } else {
-                                                                        phi_2557_ = _e2052;
+                                                                        phi_2560_ = _e2053;
                                                                     }
-                                                                    let _e2055 = phi_2557_;
-                                                                    if (_e2013 >= 0f) {
-                                                                        if (_e2034 >= 0f) {
-                                                                            if (_e2055 >= 0f) {
-                                                                                phi_2572_ = ((_e2013 + _e2034) + _e2055);
-                                                                                phi_2573_ = false;
+                                                                    let _e2056 = phi_2560_;
+                                                                    if (_e2014 >= 0f) {
+                                                                        if (_e2035 >= 0f) {
+                                                                            if (_e2056 >= 0f) {
+                                                                                phi_2575_ = ((_e2014 + _e2035) + _e2056);
+                                                                                phi_2576_ = false;
                                                                             } else {
-                                                                                phi_2572_ = f32();
-                                                                                phi_2573_ = true;
+                                                                                phi_2575_ = f32();
+                                                                                phi_2576_ = true;
                                                                             }
-                                                                            let _e2062 = phi_2572_;
-                                                                            let _e2064 = phi_2573_;
-                                                                            phi_2574_ = _e2062;
-                                                                            phi_2575_ = _e2064;
+                                                                            let _e2063 = phi_2575_;
+                                                                            let _e2065 = phi_2576_;
+                                                                            phi_2577_ = _e2063;
+                                                                            phi_2578_ = _e2065;
                                                                         } else {
-                                                                            phi_2574_ = f32();
-                                                                            phi_2575_ = true;
+                                                                            phi_2577_ = f32();
+                                                                            phi_2578_ = true;
                                                                         }
-                                                                        let _e2066 = phi_2574_;
-                                                                        let _e2068 = phi_2575_;
-                                                                        phi_2576_ = _e2066;
-                                                                        phi_2577_ = _e2068;
+                                                                        let _e2067 = phi_2577_;
+                                                                        let _e2069 = phi_2578_;
+                                                                        phi_2579_ = _e2067;
+                                                                        phi_2580_ = _e2069;
                                                                     } else {
-                                                                        phi_2576_ = f32();
-                                                                        phi_2577_ = true;
+                                                                        phi_2579_ = f32();
+                                                                        phi_2580_ = true;
                                                                     }
-                                                                    let _e2070 = phi_2576_;
-                                                                    let _e2072 = phi_2577_;
-                                                                    if _e2072 {
-                                                                        if (_e2013 <= 0f) {
-                                                                            if (_e2034 <= 0f) {
-                                                                                let _e2075 = (_e2055 <= 0f);
-                                                                                if _e2075 {
+                                                                    let _e2071 = phi_2579_;
+                                                                    let _e2073 = phi_2580_;
+                                                                    if _e2073 {
+                                                                        if (_e2014 <= 0f) {
+                                                                            if (_e2035 <= 0f) {
+                                                                                let _e2076 = (_e2056 <= 0f);
+                                                                                if _e2076 {
                                                                                 }
-                                                                                phi_2595_ = ((_e2013 + _e2034) + _e2055);
-                                                                                phi_2596_ = false;
-                                                                                phi_2597_ = _e2075;
+                                                                                phi_2598_ = ((_e2014 + _e2035) + _e2056);
+                                                                                phi_2599_ = false;
+                                                                                phi_2600_ = _e2076;
                                                                             } else {
-                                                                                phi_2595_ = f32();
-                                                                                phi_2596_ = true;
-                                                                                phi_2597_ = false;
+                                                                                phi_2598_ = f32();
+                                                                                phi_2599_ = true;
+                                                                                phi_2600_ = false;
                                                                             }
-                                                                            let _e2079 = phi_2595_;
-                                                                            let _e2081 = phi_2596_;
-                                                                            let _e2083 = phi_2597_;
-                                                                            phi_2598_ = _e2079;
-                                                                            phi_2599_ = _e2081;
-                                                                            phi_2600_ = _e2083;
+                                                                            let _e2080 = phi_2598_;
+                                                                            let _e2082 = phi_2599_;
+                                                                            let _e2084 = phi_2600_;
+                                                                            phi_2601_ = _e2080;
+                                                                            phi_2602_ = _e2082;
+                                                                            phi_2603_ = _e2084;
                                                                         } else {
-                                                                            phi_2598_ = f32();
-                                                                            phi_2599_ = true;
-                                                                            phi_2600_ = false;
+                                                                            phi_2601_ = f32();
+                                                                            phi_2602_ = true;
+                                                                            phi_2603_ = false;
                                                                         }
-                                                                        let _e2085 = phi_2598_;
-                                                                        let _e2087 = phi_2599_;
-                                                                        let _e2089 = phi_2600_;
-                                                                        if _e2087 {
-                                                                            phi_2604_ = false;
+                                                                        let _e2086 = phi_2601_;
+                                                                        let _e2088 = phi_2602_;
+                                                                        let _e2090 = phi_2603_;
+                                                                        if _e2088 {
+                                                                            phi_2607_ = false;
                                                                         } else {
-                                                                            phi_2604_ = _e2089;
+                                                                            phi_2607_ = _e2090;
                                                                         }
-                                                                        let _e2091 = phi_2604_;
-                                                                        phi_2605_ = _e2085;
-                                                                        phi_2606_ = _e2091;
+                                                                        let _e2092 = phi_2607_;
+                                                                        phi_2608_ = _e2086;
+                                                                        phi_2609_ = _e2092;
                                                                     } else {
-                                                                        phi_2605_ = _e2070;
-                                                                        phi_2606_ = true;
+                                                                        phi_2608_ = _e2071;
+                                                                        phi_2609_ = true;
                                                                     }
-                                                                    let _e2093 = phi_2605_;
-                                                                    let _e2095 = phi_2606_;
-                                                                    if _e2095 {
-                                                                        let _e2096 = (_e2093 == 0f);
-                                                                        if _e2096 {
-                                                                            phi_2922_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2923_ = false;
+                                                                    let _e2094 = phi_2608_;
+                                                                    let _e2096 = phi_2609_;
+                                                                    if _e2096 {
+                                                                        let _e2097 = (_e2094 == 0f);
+                                                                        if _e2097 {
+                                                                            phi_2925_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2926_ = false;
                                                                         } else {
-                                                                            let _e2098 = triangles.member[(0u + _e1909)].v0_;
-                                                                            let _e2100 = (_e2098.x - _e1015);
-                                                                            let _e2102 = (_e2098.y - _e1028);
-                                                                            let _e2104 = (_e2098.z - _e1041);
-                                                                            if (_e1295 == 0u) {
-                                                                                phi_2635_ = vec3<f32>(_e2102, _e2104, _e2100);
+                                                                            let _e2099 = triangles.member[(0u + _e1910)].v0_;
+                                                                            let _e2101 = (_e2099.x - _e1016);
+                                                                            let _e2103 = (_e2099.y - _e1029);
+                                                                            let _e2105 = (_e2099.z - _e1042);
+                                                                            if (_e1296 == 0u) {
+                                                                                phi_2638_ = vec3<f32>(_e2103, _e2105, _e2101);
                                                                             } else {
-                                                                                if (_e1295 == 1u) {
-                                                                                    phi_2634_ = vec3<f32>(_e2104, _e2100, _e2102);
+                                                                                if (_e1296 == 1u) {
+                                                                                    phi_2637_ = vec3<f32>(_e2105, _e2101, _e2103);
                                                                                 } else {
-                                                                                    phi_2634_ = (_e2098 - vec3<f32>(_e1015, _e1028, _e1041));
+                                                                                    phi_2637_ = (_e2099 - vec3<f32>(_e1016, _e1029, _e1042));
                                                                                 }
-                                                                                let _e2112 = phi_2634_;
-                                                                                phi_2635_ = _e2112;
+                                                                                let _e2113 = phi_2637_;
+                                                                                phi_2638_ = _e2113;
                                                                             }
-                                                                            let _e2114 = phi_2635_;
-                                                                            let _e2116 = triangles.member[(0u + _e1909)].v1_;
-                                                                            let _e2118 = triangles.member[(0u + _e1909)].v0_;
-                                                                            let _e2121 = (_e2116.x - _e2118.x);
-                                                                            let _e2124 = (_e2116.y - _e2118.y);
-                                                                            let _e2127 = (_e2116.z - _e2118.z);
-                                                                            if (_e1295 == 0u) {
-                                                                                phi_2661_ = vec3<f32>(_e2124, _e2127, _e2121);
+                                                                            let _e2115 = phi_2638_;
+                                                                            let _e2117 = triangles.member[(0u + _e1910)].v1_;
+                                                                            let _e2119 = triangles.member[(0u + _e1910)].v0_;
+                                                                            let _e2122 = (_e2117.x - _e2119.x);
+                                                                            let _e2125 = (_e2117.y - _e2119.y);
+                                                                            let _e2128 = (_e2117.z - _e2119.z);
+                                                                            if (_e1296 == 0u) {
+                                                                                phi_2664_ = vec3<f32>(_e2125, _e2128, _e2122);
                                                                             } else {
-                                                                                if (_e1295 == 1u) {
-                                                                                    phi_2660_ = vec3<f32>(_e2127, _e2121, _e2124);
+                                                                                if (_e1296 == 1u) {
+                                                                                    phi_2663_ = vec3<f32>(_e2128, _e2122, _e2125);
                                                                                 } else {
-                                                                                    phi_2660_ = (_e2116 - _e2118);
+                                                                                    phi_2663_ = (_e2117 - _e2119);
                                                                                 }
-                                                                                let _e2134 = phi_2660_;
-                                                                                phi_2661_ = _e2134;
+                                                                                let _e2135 = phi_2663_;
+                                                                                phi_2664_ = _e2135;
                                                                             }
-                                                                            let _e2136 = phi_2661_;
-                                                                            let _e2138 = triangles.member[(0u + _e1909)].v2_;
-                                                                            let _e2140 = triangles.member[(0u + _e1909)].v0_;
-                                                                            let _e2143 = (_e2138.x - _e2140.x);
-                                                                            let _e2146 = (_e2138.y - _e2140.y);
-                                                                            let _e2149 = (_e2138.z - _e2140.z);
-                                                                            if (_e1295 == 0u) {
-                                                                                phi_2687_ = vec3<f32>(_e2146, _e2149, _e2143);
+                                                                            let _e2137 = phi_2664_;
+                                                                            let _e2139 = triangles.member[(0u + _e1910)].v2_;
+                                                                            let _e2141 = triangles.member[(0u + _e1910)].v0_;
+                                                                            let _e2144 = (_e2139.x - _e2141.x);
+                                                                            let _e2147 = (_e2139.y - _e2141.y);
+                                                                            let _e2150 = (_e2139.z - _e2141.z);
+                                                                            if (_e1296 == 0u) {
+                                                                                phi_2690_ = vec3<f32>(_e2147, _e2150, _e2144);
                                                                             } else {
-                                                                                if (_e1295 == 1u) {
-                                                                                    phi_2686_ = vec3<f32>(_e2149, _e2143, _e2146);
+                                                                                if (_e1296 == 1u) {
+                                                                                    phi_2689_ = vec3<f32>(_e2150, _e2144, _e2147);
                                                                                 } else {
-                                                                                    phi_2686_ = (_e2138 - _e2140);
+                                                                                    phi_2689_ = (_e2139 - _e2141);
                                                                                 }
-                                                                                let _e2156 = phi_2686_;
-                                                                                phi_2687_ = _e2156;
+                                                                                let _e2157 = phi_2689_;
+                                                                                phi_2690_ = _e2157;
                                                                             }
-                                                                            let _e2158 = phi_2687_;
-                                                                            let _e2165 = ((_e2136.y * _e2158.z) - (_e2136.z * _e2158.y));
-                                                                            let _e2172 = ((_e2136.z * _e2158.x) - (_e2136.x * _e2158.z));
-                                                                            let _e2179 = ((_e2136.x * _e2158.y) - (_e2136.y * _e2158.x));
-                                                                            let _e2193 = (((1f / _e1303.z) * (((_e2165 * _e2114.x) + (_e2172 * _e2114.y)) + (_e2179 * _e2114.z))) / (((_e2165 * _e1306) + (_e2172 * _e1309)) + _e2179));
-                                                                            if (_e2193 > 0f) {
-                                                                                if (_e2193 < _e141) {
-                                                                                    let _e2197 = triangles.member[(0u + _e1909)].v0_;
-                                                                                    let _e2199 = triangles.member[(0u + _e1909)].v1_;
-                                                                                    if (_e2197.x < _e2199.x) {
-                                                                                        phi_2743_ = _e2197.x;
+                                                                            let _e2159 = phi_2690_;
+                                                                            let _e2166 = ((_e2137.y * _e2159.z) - (_e2137.z * _e2159.y));
+                                                                            let _e2173 = ((_e2137.z * _e2159.x) - (_e2137.x * _e2159.z));
+                                                                            let _e2180 = ((_e2137.x * _e2159.y) - (_e2137.y * _e2159.x));
+                                                                            let _e2194 = (((1f / _e1304.z) * (((_e2166 * _e2115.x) + (_e2173 * _e2115.y)) + (_e2180 * _e2115.z))) / (((_e2166 * _e1307) + (_e2173 * _e1310)) + _e2180));
+                                                                            if (_e2194 > 0f) {
+                                                                                if (_e2194 < _e142) {
+                                                                                    let _e2198 = triangles.member[(0u + _e1910)].v0_;
+                                                                                    let _e2200 = triangles.member[(0u + _e1910)].v1_;
+                                                                                    if (_e2198.x < _e2200.x) {
+                                                                                        phi_2746_ = _e2198.x;
                                                                                     } else {
-                                                                                        phi_2743_ = _e2199.x;
+                                                                                        phi_2746_ = _e2200.x;
                                                                                     }
-                                                                                    let _e2206 = phi_2743_;
-                                                                                    if (_e2197.y < _e2199.y) {
-                                                                                        phi_2752_ = _e2197.y;
+                                                                                    let _e2207 = phi_2746_;
+                                                                                    if (_e2198.y < _e2200.y) {
+                                                                                        phi_2755_ = _e2198.y;
                                                                                     } else {
-                                                                                        phi_2752_ = _e2199.y;
+                                                                                        phi_2755_ = _e2200.y;
                                                                                     }
-                                                                                    let _e2213 = phi_2752_;
-                                                                                    if (_e2197.z < _e2199.z) {
-                                                                                        phi_2761_ = _e2197.z;
+                                                                                    let _e2214 = phi_2755_;
+                                                                                    if (_e2198.z < _e2200.z) {
+                                                                                        phi_2764_ = _e2198.z;
                                                                                     } else {
-                                                                                        phi_2761_ = _e2199.z;
+                                                                                        phi_2764_ = _e2200.z;
                                                                                     }
-                                                                                    let _e2220 = phi_2761_;
-                                                                                    let _e2222 = triangles.member[(0u + _e1909)].v2_;
-                                                                                    if (_e2206 < _e2222.x) {
-                                                                                        phi_2770_ = _e2206;
+                                                                                    let _e2221 = phi_2764_;
+                                                                                    let _e2223 = triangles.member[(0u + _e1910)].v2_;
+                                                                                    if (_e2207 < _e2223.x) {
+                                                                                        phi_2773_ = _e2207;
                                                                                     } else {
-                                                                                        phi_2770_ = _e2222.x;
+                                                                                        phi_2773_ = _e2223.x;
                                                                                     }
-                                                                                    let _e2227 = phi_2770_;
-                                                                                    if (_e2213 < _e2222.y) {
-                                                                                        phi_2777_ = _e2213;
+                                                                                    let _e2228 = phi_2773_;
+                                                                                    if (_e2214 < _e2223.y) {
+                                                                                        phi_2780_ = _e2214;
                                                                                     } else {
-                                                                                        phi_2777_ = _e2222.y;
+                                                                                        phi_2780_ = _e2223.y;
                                                                                     }
-                                                                                    let _e2232 = phi_2777_;
-                                                                                    if (_e2220 < _e2222.z) {
-                                                                                        phi_2784_ = _e2220;
+                                                                                    let _e2233 = phi_2780_;
+                                                                                    if (_e2221 < _e2223.z) {
+                                                                                        phi_2787_ = _e2221;
                                                                                     } else {
-                                                                                        phi_2784_ = _e2222.z;
+                                                                                        phi_2787_ = _e2223.z;
                                                                                     }
-                                                                                    let _e2237 = phi_2784_;
-                                                                                    let _e2239 = triangles.member[(0u + _e1909)].v0_;
-                                                                                    let _e2241 = triangles.member[(0u + _e1909)].v1_;
-                                                                                    if (_e2239.x > _e2241.x) {
-                                                                                        phi_2797_ = _e2239.x;
+                                                                                    let _e2238 = phi_2787_;
+                                                                                    let _e2240 = triangles.member[(0u + _e1910)].v0_;
+                                                                                    let _e2242 = triangles.member[(0u + _e1910)].v1_;
+                                                                                    if (_e2240.x > _e2242.x) {
+                                                                                        phi_2800_ = _e2240.x;
                                                                                     } else {
-                                                                                        phi_2797_ = _e2241.x;
+                                                                                        phi_2800_ = _e2242.x;
                                                                                     }
-                                                                                    let _e2248 = phi_2797_;
-                                                                                    if (_e2239.y > _e2241.y) {
-                                                                                        phi_2806_ = _e2239.y;
+                                                                                    let _e2249 = phi_2800_;
+                                                                                    if (_e2240.y > _e2242.y) {
+                                                                                        phi_2809_ = _e2240.y;
                                                                                     } else {
-                                                                                        phi_2806_ = _e2241.y;
+                                                                                        phi_2809_ = _e2242.y;
                                                                                     }
-                                                                                    let _e2255 = phi_2806_;
-                                                                                    if (_e2239.z > _e2241.z) {
-                                                                                        phi_2815_ = _e2239.z;
+                                                                                    let _e2256 = phi_2809_;
+                                                                                    if (_e2240.z > _e2242.z) {
+                                                                                        phi_2818_ = _e2240.z;
                                                                                     } else {
-                                                                                        phi_2815_ = _e2241.z;
+                                                                                        phi_2818_ = _e2242.z;
                                                                                     }
-                                                                                    let _e2262 = phi_2815_;
-                                                                                    let _e2264 = triangles.member[(0u + _e1909)].v2_;
-                                                                                    if (_e2248 > _e2264.x) {
-                                                                                        phi_2824_ = _e2248;
+                                                                                    let _e2263 = phi_2818_;
+                                                                                    let _e2265 = triangles.member[(0u + _e1910)].v2_;
+                                                                                    if (_e2249 > _e2265.x) {
+                                                                                        phi_2827_ = _e2249;
                                                                                     } else {
-                                                                                        phi_2824_ = _e2264.x;
+                                                                                        phi_2827_ = _e2265.x;
                                                                                     }
-                                                                                    let _e2269 = phi_2824_;
-                                                                                    if (_e2255 > _e2264.y) {
-                                                                                        phi_2831_ = _e2255;
+                                                                                    let _e2270 = phi_2827_;
+                                                                                    if (_e2256 > _e2265.y) {
+                                                                                        phi_2834_ = _e2256;
                                                                                     } else {
-                                                                                        phi_2831_ = _e2264.y;
+                                                                                        phi_2834_ = _e2265.y;
                                                                                     }
-                                                                                    let _e2274 = phi_2831_;
-                                                                                    if (_e2262 > _e2264.z) {
-                                                                                        phi_2838_ = _e2262;
+                                                                                    let _e2275 = phi_2834_;
+                                                                                    if (_e2263 > _e2265.z) {
+                                                                                        phi_2841_ = _e2263;
                                                                                     } else {
-                                                                                        phi_2838_ = _e2264.z;
+                                                                                        phi_2841_ = _e2265.z;
                                                                                     }
-                                                                                    let _e2279 = phi_2838_;
-                                                                                    let _e2283 = ((_e2227 - _e1015) * _e1224);
-                                                                                    let _e2284 = ((_e2232 - _e1028) * _e1234);
-                                                                                    let _e2285 = ((_e2237 - _e1041) * _e1244);
-                                                                                    let _e2289 = ((_e2269 - _e1015) * _e1224);
-                                                                                    let _e2290 = ((_e2274 - _e1028) * _e1234);
-                                                                                    let _e2291 = ((_e2279 - _e1041) * _e1244);
-                                                                                    if (_e2283 < _e2289) {
-                                                                                        phi_2855_ = _e2283;
-                                                                                    } else {
-                                                                                        phi_2855_ = _e2289;
-                                                                                    }
-                                                                                    let _e2294 = phi_2855_;
+                                                                                    let _e2280 = phi_2841_;
+                                                                                    let _e2284 = ((_e2228 - _e1016) * _e1225);
+                                                                                    let _e2285 = ((_e2233 - _e1029) * _e1235);
+                                                                                    let _e2286 = ((_e2238 - _e1042) * _e1245);
+                                                                                    let _e2290 = ((_e2270 - _e1016) * _e1225);
+                                                                                    let _e2291 = ((_e2275 - _e1029) * _e1235);
+                                                                                    let _e2292 = ((_e2280 - _e1042) * _e1245);
                                                                                     if (_e2284 < _e2290) {
-                                                                                        phi_2860_ = _e2284;
+                                                                                        phi_2858_ = _e2284;
                                                                                     } else {
-                                                                                        phi_2860_ = _e2290;
+                                                                                        phi_2858_ = _e2290;
                                                                                     }
-                                                                                    let _e2297 = phi_2860_;
+                                                                                    let _e2295 = phi_2858_;
                                                                                     if (_e2285 < _e2291) {
-                                                                                        phi_2865_ = _e2285;
+                                                                                        phi_2863_ = _e2285;
                                                                                     } else {
-                                                                                        phi_2865_ = _e2291;
+                                                                                        phi_2863_ = _e2291;
                                                                                     }
-                                                                                    let _e2300 = phi_2865_;
-                                                                                    if (_e2283 > _e2289) {
-                                                                                        phi_2873_ = _e2283;
+                                                                                    let _e2298 = phi_2863_;
+                                                                                    if (_e2286 < _e2292) {
+                                                                                        phi_2868_ = _e2286;
                                                                                     } else {
-                                                                                        phi_2873_ = _e2289;
+                                                                                        phi_2868_ = _e2292;
                                                                                     }
-                                                                                    let _e2306 = phi_2873_;
+                                                                                    let _e2301 = phi_2868_;
                                                                                     if (_e2284 > _e2290) {
-                                                                                        phi_2878_ = _e2284;
+                                                                                        phi_2876_ = _e2284;
                                                                                     } else {
-                                                                                        phi_2878_ = _e2290;
+                                                                                        phi_2876_ = _e2290;
                                                                                     }
-                                                                                    let _e2309 = phi_2878_;
+                                                                                    let _e2307 = phi_2876_;
                                                                                     if (_e2285 > _e2291) {
-                                                                                        phi_2883_ = _e2285;
+                                                                                        phi_2881_ = _e2285;
                                                                                     } else {
-                                                                                        phi_2883_ = _e2291;
+                                                                                        phi_2881_ = _e2291;
                                                                                     }
-                                                                                    let _e2312 = phi_2883_;
-                                                                                    let _e2316 = core_intrinsics_maximum_number_nsz_f32_((_e2294 - _e1279), (_e2297 - _e1280));
-                                                                                    let _e2317 = core_intrinsics_maximum_number_nsz_f32_(_e2316, (_e2300 - _e1281));
-                                                                                    let _e2318 = core_intrinsics_minimum_number_nsz_f32_((_e2306 + _e1279), (_e2309 + _e1280));
-                                                                                    let _e2319 = core_intrinsics_minimum_number_nsz_f32_(_e2318, (_e2312 + _e1281));
-                                                                                    if (_e2317 > _e996) {
-                                                                                        phi_2895_ = _e2317;
+                                                                                    let _e2310 = phi_2881_;
+                                                                                    if (_e2286 > _e2292) {
+                                                                                        phi_2886_ = _e2286;
                                                                                     } else {
-                                                                                        phi_2895_ = _e996;
+                                                                                        phi_2886_ = _e2292;
                                                                                     }
-                                                                                    let _e2322 = phi_2895_;
-                                                                                    if (_e2319 < _e998) {
-                                                                                        phi_2900_ = _e2319;
+                                                                                    let _e2313 = phi_2886_;
+                                                                                    let _e2317 = core_intrinsics_maximum_number_nsz_f32_((_e2295 - _e1280), (_e2298 - _e1281));
+                                                                                    let _e2318 = core_intrinsics_maximum_number_nsz_f32_(_e2317, (_e2301 - _e1282));
+                                                                                    let _e2319 = core_intrinsics_minimum_number_nsz_f32_((_e2307 + _e1280), (_e2310 + _e1281));
+                                                                                    let _e2320 = core_intrinsics_minimum_number_nsz_f32_(_e2319, (_e2313 + _e1282));
+                                                                                    if (_e2318 > _e997) {
+                                                                                        phi_2898_ = _e2318;
                                                                                     } else {
-                                                                                        phi_2900_ = _e998;
+                                                                                        phi_2898_ = _e997;
                                                                                     }
-                                                                                    let _e2325 = phi_2900_;
-                                                                                    if (_e2193 < _e2322) {
-                                                                                        phi_2905_ = _e2322;
+                                                                                    let _e2323 = phi_2898_;
+                                                                                    if (_e2320 < _e999) {
+                                                                                        phi_2903_ = _e2320;
                                                                                     } else {
-                                                                                        phi_2905_ = _e2193;
+                                                                                        phi_2903_ = _e999;
                                                                                     }
-                                                                                    let _e2328 = phi_2905_;
-                                                                                    if (_e2328 > _e2325) {
-                                                                                        phi_2910_ = _e2325;
+                                                                                    let _e2326 = phi_2903_;
+                                                                                    if (_e2194 < _e2323) {
+                                                                                        phi_2908_ = _e2323;
                                                                                     } else {
-                                                                                        phi_2910_ = _e2328;
+                                                                                        phi_2908_ = _e2194;
                                                                                     }
-                                                                                    let _e2331 = phi_2910_;
-                                                                                    phi_2915_ = lt_bvh_triangle_Intersection(_e2331, (_e2034 / _e2093), (_e2055 / _e2093), (_e2322 <= _e2325));
-                                                                                    phi_2916_ = false;
+                                                                                    let _e2329 = phi_2908_;
+                                                                                    if (_e2329 > _e2326) {
+                                                                                        phi_2913_ = _e2326;
+                                                                                    } else {
+                                                                                        phi_2913_ = _e2329;
+                                                                                    }
+                                                                                    let _e2332 = phi_2913_;
+                                                                                    phi_2918_ = lt_bvh_triangle_Intersection(_e2332, (_e2035 / _e2094), (_e2056 / _e2094), (_e2323 <= _e2326));
+                                                                                    phi_2919_ = false;
                                                                                 } else {
-                                                                                    phi_2915_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2916_ = true;
+                                                                                    phi_2918_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2919_ = true;
                                                                                 }
-                                                                                let _e2337 = phi_2915_;
-                                                                                let _e2339 = phi_2916_;
-                                                                                phi_2917_ = _e2337;
-                                                                                phi_2918_ = _e2339;
+                                                                                let _e2338 = phi_2918_;
+                                                                                let _e2340 = phi_2919_;
+                                                                                phi_2920_ = _e2338;
+                                                                                phi_2921_ = _e2340;
                                                                             } else {
-                                                                                phi_2917_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2918_ = true;
+                                                                                phi_2920_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2921_ = true;
                                                                             }
-                                                                            let _e2341 = phi_2917_;
-                                                                            let _e2343 = phi_2918_;
-                                                                            if _e2343 {
+                                                                            let _e2342 = phi_2920_;
+                                                                            let _e2344 = phi_2921_;
+                                                                            if _e2344 {
                                                                             }
-                                                                            phi_2922_ = _e2341;
-                                                                            phi_2923_ = _e2343;
+                                                                            phi_2925_ = _e2342;
+                                                                            phi_2926_ = _e2344;
                                                                         }
-                                                                        let _e2345 = phi_2922_;
-                                                                        let _e2347 = phi_2923_;
-                                                                        phi_2924_ = _e2345;
-                                                                        phi_2925_ = _e2096;
-                                                                        phi_2926_ = _e2347;
+                                                                        let _e2346 = phi_2925_;
+                                                                        let _e2348 = phi_2926_;
+                                                                        phi_2927_ = _e2346;
+                                                                        phi_2928_ = _e2097;
+                                                                        phi_2929_ = _e2348;
                                                                     } else {
-                                                                        phi_2924_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2925_ = true;
-                                                                        phi_2926_ = false;
+                                                                        phi_2927_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2928_ = true;
+                                                                        phi_2929_ = false;
                                                                     }
-                                                                    let _e2349 = phi_2924_;
-                                                                    let _e2351 = phi_2925_;
-                                                                    let _e2353 = phi_2926_;
-                                                                    if _e2351 {
-                                                                        phi_2930_ = true;
+                                                                    let _e2350 = phi_2927_;
+                                                                    let _e2352 = phi_2928_;
+                                                                    let _e2354 = phi_2929_;
+                                                                    if _e2352 {
+                                                                        phi_2933_ = true;
                                                                     } else {
-                                                                        phi_2930_ = _e2353;
+                                                                        phi_2933_ = _e2354;
                                                                     }
-                                                                    let _e2355 = phi_2930_;
-                                                                    if _e2355 {
-                                                                        phi_2934_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2356 = phi_2933_;
+                                                                    if _e2356 {
+                                                                        phi_2937_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2934_ = _e2349;
+                                                                        phi_2937_ = _e2350;
                                                                     }
-                                                                    let _e2357 = phi_2934_;
-                                                                    if _e2357.is_hit {
-                                                                        if (_e2357.t > 0f) {
-                                                                            if (_e2357.t < _e141) {
-                                                                                let _e2364 = triangles.member[(0u + _e1909)].i0_;
-                                                                                if ((_e2364 & 2147483648u) == 0u) {
-                                                                                    phi_3153_ = true;
+                                                                    let _e2358 = phi_2937_;
+                                                                    if _e2358.is_hit {
+                                                                        if (_e2358.t > 0f) {
+                                                                            if (_e2358.t < _e142) {
+                                                                                let _e2365 = triangles.member[(0u + _e1910)].i0_;
+                                                                                if ((_e2365 & 2147483648u) == 0u) {
+                                                                                    phi_3156_ = true;
                                                                                 } else {
-                                                                                    if (_e1909 < _e79) {
+                                                                                    if (_e1910 < _e79) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2373 = triangles.member[(0u + _e1909)].i0_;
-                                                                                    let _e2374 = (_e2373 & 2147483647u);
-                                                                                    let _e2376 = triangles.member[(0u + _e1909)].i1_;
-                                                                                    let _e2378 = triangles.member[(0u + _e1909)].i2_;
-                                                                                    if (_e2374 < _e91) {
+                                                                                    let _e2374 = triangles.member[(0u + _e1910)].i0_;
+                                                                                    let _e2375 = (_e2374 & 2147483647u);
+                                                                                    let _e2377 = triangles.member[(0u + _e1910)].i1_;
+                                                                                    let _e2379 = triangles.member[(0u + _e1910)].i2_;
+                                                                                    if (_e2375 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2382 = vertices.member[(0u + _e2374)];
-                                                                                    if (_e2376 < _e91) {
+                                                                                    let _e2383 = vertices.member[(0u + _e2375)];
+                                                                                    if (_e2377 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2386 = vertices.member[(0u + _e2376)];
-                                                                                    if (_e2378 < _e91) {
+                                                                                    let _e2387 = vertices.member[(0u + _e2377)];
+                                                                                    if (_e2379 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2390 = vertices.member[(0u + _e2378)];
-                                                                                    let _e2391 = array<abi_Vertex, 3>(_e2382, _e2386, _e2390);
-                                                                                    if (_e2391[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2391 = vertices.member[(0u + _e2379)];
+                                                                                    let _e2392 = array<abi_Vertex, 3>(_e2383, _e2387, _e2391);
+                                                                                    if (_e2392[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2397 = materials.member[(0u + _e2391[0].material)];
-                                                                                    if ((_e2397.flags & 1u) == 1u) {
-                                                                                        let _e2402 = ((1f - _e2357.u) - _e2357.v);
-                                                                                        if (_e2397.cutoff <= 0f) {
-                                                                                            phi_3151_ = true;
+                                                                                    let _e2398 = materials.member[(0u + _e2392[0].material)];
+                                                                                    if ((_e2398.flags & 1u) == 1u) {
+                                                                                        let _e2403 = ((1f - _e2358.u) - _e2358.v);
+                                                                                        if (_e2398.cutoff <= 0f) {
+                                                                                            phi_3154_ = true;
                                                                                         } else {
-                                                                                            let _e2429 = (_e2397.base_color.w * ((((f32((_e2391[0].color >> bitcast<u32>(24i))) * _e2402) + (f32((_e2391[1].color >> bitcast<u32>(24i))) * _e2357.u)) + (f32((_e2391[2].color >> bitcast<u32>(24i))) * _e2357.v)) * (1f / 255f)));
-                                                                                            if (_e2397.alpha_size == 0u) {
-                                                                                                phi_3148_ = _e2429;
+                                                                                            let _e2430 = (_e2398.base_color.w * ((((f32((_e2392[0].color >> bitcast<u32>(24i))) * _e2403) + (f32((_e2392[1].color >> bitcast<u32>(24i))) * _e2358.u)) + (f32((_e2392[2].color >> bitcast<u32>(24i))) * _e2358.v)) * (1f / 255f)));
+                                                                                            if (_e2398.alpha_size == 0u) {
+                                                                                                phi_3151_ = _e2430;
                                                                                             } else {
-                                                                                                local.offset = _e2397.alpha_offset;
-                                                                                                local.size = _e2397.alpha_size;
-                                                                                                local.flags = _e2397.flags;
-                                                                                                let _e2460 = _lt_shaders_texture_TextureView_quad((&local), (((_e2391[0].u * _e2402) + (_e2391[1].u * _e2357.u)) + (_e2391[2].u * _e2357.v)), (((_e2391[0].v * _e2402) + (_e2391[1].v * _e2357.u)) + (_e2391[2].v * _e2357.v)));
-                                                                                                let _e2464 = (_e2460.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2464 < _e97) {
+                                                                                                local.offset = _e2398.alpha_offset;
+                                                                                                local.size = _e2398.alpha_size;
+                                                                                                local.flags = _e2398.flags;
+                                                                                                let _e2461 = _lt_shaders_texture_TextureView_quad((&local), (((_e2392[0].u * _e2403) + (_e2392[1].u * _e2358.u)) + (_e2392[2].u * _e2358.v)), (((_e2392[0].v * _e2403) + (_e2392[1].v * _e2358.u)) + (_e2392[2].v * _e2358.v)));
+                                                                                                let _e2465 = (_e2461.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2465 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2468 = alpha_texels.member[(0u + _e2464)];
-                                                                                                let _e2484 = (_e2460.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2484 < _e97) {
+                                                                                                let _e2469 = alpha_texels.member[(0u + _e2465)];
+                                                                                                let _e2485 = (_e2461.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2485 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2488 = alpha_texels.member[(0u + _e2484)];
-                                                                                                let _e2505 = (_e2460.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2505 < _e97) {
+                                                                                                let _e2489 = alpha_texels.member[(0u + _e2485)];
+                                                                                                let _e2506 = (_e2461.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2506 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2509 = alpha_texels.member[(0u + _e2505)];
-                                                                                                let _e2526 = (_e2460.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2526 < _e97) {
+                                                                                                let _e2510 = alpha_texels.member[(0u + _e2506)];
+                                                                                                let _e2527 = (_e2461.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2527 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2530 = alpha_texels.member[(0u + _e2526)];
-                                                                                                phi_3148_ = (_e2429 * (((((f32(((_e2468 >> bitcast<u32>((((_e2460.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2460.weights.x) + ((f32(((_e2488 >> bitcast<u32>((((_e2460.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2460.weights.y)) + ((f32(((_e2509 >> bitcast<u32>((((_e2460.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2460.weights.z)) + ((f32(((_e2530 >> bitcast<u32>((((_e2460.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2460.weights.w)));
+                                                                                                let _e2531 = alpha_texels.member[(0u + _e2527)];
+                                                                                                phi_3151_ = (_e2430 * (((((f32(((_e2469 >> bitcast<u32>((((_e2461.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.x) + ((f32(((_e2489 >> bitcast<u32>((((_e2461.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.y)) + ((f32(((_e2510 >> bitcast<u32>((((_e2461.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.z)) + ((f32(((_e2531 >> bitcast<u32>((((_e2461.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.w)));
                                                                                             }
-                                                                                            let _e2546 = phi_3148_;
-                                                                                            phi_3151_ = (_e2546 >= _e2397.cutoff);
+                                                                                            let _e2547 = phi_3151_;
+                                                                                            phi_3154_ = (_e2547 >= _e2398.cutoff);
                                                                                         }
-                                                                                        let _e2550 = phi_3151_;
-                                                                                        phi_3152_ = _e2550;
+                                                                                        let _e2551 = phi_3154_;
+                                                                                        phi_3155_ = _e2551;
                                                                                     } else {
-                                                                                        phi_3152_ = false;
+                                                                                        phi_3155_ = false;
                                                                                     }
-                                                                                    let _e2552 = phi_3152_;
-                                                                                    phi_3153_ = _e2552;
+                                                                                    let _e2553 = phi_3155_;
+                                                                                    phi_3156_ = _e2553;
                                                                                 }
-                                                                                let _e2554 = phi_3153_;
-                                                                                if _e2554 {
-                                                                                    phi_3157_ = false;
+                                                                                let _e2555 = phi_3156_;
+                                                                                if _e2555 {
+                                                                                    phi_3160_ = false;
                                                                                 } else {
-                                                                                    phi_3157_ = true;
+                                                                                    phi_3160_ = true;
                                                                                 }
-                                                                                let _e2556 = phi_3157_;
-                                                                                phi_3158_ = _e2554;
-                                                                                phi_3159_ = _e2554;
-                                                                                phi_3160_ = _e2556;
+                                                                                let _e2557 = phi_3160_;
+                                                                                phi_3161_ = _e2555;
+                                                                                phi_3162_ = _e2555;
+                                                                                phi_3163_ = _e2557;
                                                                             } else {
-                                                                                phi_3158_ = bool();
-                                                                                phi_3159_ = _e1900;
-                                                                                phi_3160_ = true;
+                                                                                phi_3161_ = bool();
+                                                                                phi_3162_ = _e1901;
+                                                                                phi_3163_ = true;
                                                                             }
-                                                                            let _e2558 = phi_3158_;
-                                                                            let _e2560 = phi_3159_;
-                                                                            let _e2562 = phi_3160_;
-                                                                            phi_3161_ = _e2558;
-                                                                            phi_3162_ = _e2560;
-                                                                            phi_3163_ = _e2562;
+                                                                            let _e2559 = phi_3161_;
+                                                                            let _e2561 = phi_3162_;
+                                                                            let _e2563 = phi_3163_;
+                                                                            phi_3164_ = _e2559;
+                                                                            phi_3165_ = _e2561;
+                                                                            phi_3166_ = _e2563;
                                                                         } else {
-                                                                            phi_3161_ = bool();
-                                                                            phi_3162_ = _e1900;
-                                                                            phi_3163_ = true;
+                                                                            phi_3164_ = bool();
+                                                                            phi_3165_ = _e1901;
+                                                                            phi_3166_ = true;
                                                                         }
-                                                                        let _e2564 = phi_3161_;
-                                                                        let _e2566 = phi_3162_;
-                                                                        let _e2568 = phi_3163_;
-                                                                        phi_3164_ = _e2564;
-                                                                        phi_3165_ = _e2566;
-                                                                        phi_3166_ = _e2568;
+                                                                        let _e2565 = phi_3164_;
+                                                                        let _e2567 = phi_3165_;
+                                                                        let _e2569 = phi_3166_;
+                                                                        phi_3167_ = _e2565;
+                                                                        phi_3168_ = _e2567;
+                                                                        phi_3169_ = _e2569;
                                                                     } else {
-                                                                        phi_3164_ = bool();
-                                                                        phi_3165_ = _e1900;
-                                                                        phi_3166_ = true;
+                                                                        phi_3167_ = bool();
+                                                                        phi_3168_ = _e1901;
+                                                                        phi_3169_ = true;
                                                                     }
-                                                                    let _e2570 = phi_3164_;
-                                                                    let _e2572 = phi_3165_;
-                                                                    let _e2574 = phi_3166_;
-                                                                    if _e2574 {
+                                                                    let _e2571 = phi_3167_;
+                                                                    let _e2573 = phi_3168_;
+                                                                    let _e2575 = phi_3169_;
+                                                                    if _e2575 {
                                                                     }
-                                                                    phi_2364_ = (_e1898 & (_e1898 - 1u));
-                                                                    phi_2367_ = _e2572;
-                                                                    phi_3170_ = _e2570;
-                                                                    phi_3171_ = _e2574;
+                                                                    phi_2367_ = (_e1899 & (_e1899 - 1u));
+                                                                    phi_2370_ = _e2573;
+                                                                    phi_3173_ = _e2571;
+                                                                    phi_3174_ = _e2575;
                                                                 }
-                                                                let _e2576 = phi_2364_;
-                                                                let _e2578 = phi_2367_;
-                                                                let _e2580 = phi_3170_;
-                                                                let _e2582 = phi_3171_;
-                                                                local_14 = _e2580;
+                                                                let _e2577 = phi_2367_;
+                                                                let _e2579 = phi_2370_;
+                                                                let _e2581 = phi_3173_;
+                                                                let _e2583 = phi_3174_;
+                                                                local_14 = _e2581;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2363_ = _e2576;
-                                                                    phi_2366_ = _e2578;
-                                                                    break if !(_e2582);
+                                                                    phi_2366_ = _e2577;
+                                                                    phi_2369_ = _e2579;
+                                                                    break if !(_e2583);
                                                                 }
                                                             }
-                                                            let _e2585 = local_9;
-                                                            if _e2585 {
-                                                                let _e2587 = local_1.group_mask;
-                                                                if ((_e2587 & 4278190080u) == 0u) {
-                                                                    let _e2591 = local_1.len;
-                                                                    if (_e2591 == 0u) {
-                                                                        phi_3213_ = false;
+                                                            let _e2586 = local_9;
+                                                            if _e2586 {
+                                                                let _e2588 = local_1.group_mask;
+                                                                if ((_e2588 & 4278190080u) == 0u) {
+                                                                    let _e2592 = local_1.len;
+                                                                    if (_e2592 == 0u) {
+                                                                        phi_3216_ = false;
                                                                     } else {
-                                                                        let _e2595 = local_1.len;
-                                                                        local_1.len = (_e2595 - 1u);
-                                                                        let _e2598 = local_1.len;
-                                                                        if (_e2598 < 32u) {
+                                                                        let _e2596 = local_1.len;
+                                                                        local_1.len = (_e2596 - 1u);
+                                                                        let _e2599 = local_1.len;
+                                                                        if (_e2599 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2603 = local_1.first[(0u + _e2598)];
-                                                                        local_1.group = _e2603;
-                                                                        let _e2606 = local_1.len;
-                                                                        if (_e2606 < 32u) {
+                                                                        let _e2604 = local_1.first[(0u + _e2599)];
+                                                                        local_1.group = _e2604;
+                                                                        let _e2607 = local_1.len;
+                                                                        if (_e2607 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2611 = local_1.mask[(0u + _e2606)];
-                                                                        local_1.group_mask = _e2611;
-                                                                        phi_3213_ = true;
+                                                                        let _e2612 = local_1.mask[(0u + _e2607)];
+                                                                        local_1.group_mask = _e2612;
+                                                                        phi_3216_ = true;
                                                                     }
-                                                                    let _e2614 = phi_3213_;
-                                                                    phi_3214_ = _e2614;
+                                                                    let _e2615 = phi_3216_;
+                                                                    phi_3217_ = _e2615;
                                                                 } else {
-                                                                    phi_3214_ = true;
+                                                                    phi_3217_ = true;
                                                                 }
-                                                                let _e2616 = phi_3214_;
-                                                                if _e2616 {
-                                                                    let _e2618 = local_1.group_mask;
-                                                                    let _e2624 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2618)), 32u, (_e2618 == 0u)));
-                                                                    let _e2628 = local_1.group_mask;
-                                                                    let _e2642 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2642 & ~((1u << bitcast<u32>((_e2624 & 31u)))));
-                                                                    let _e2645 = local_1.group;
-                                                                    phi_3245_ = (_e2645 + countOneBits(((_e2628 & ~((4294967295u << bitcast<u32>((((_e2624 - 24u) ^ _e1322) & 31u))))) & 255u)));
+                                                                let _e2617 = phi_3217_;
+                                                                if _e2617 {
+                                                                    let _e2619 = local_1.group_mask;
+                                                                    let _e2625 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2619)), 32u, (_e2619 == 0u)));
+                                                                    let _e2629 = local_1.group_mask;
+                                                                    let _e2643 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2643 & ~((1u << bitcast<u32>((_e2625 & 31u)))));
+                                                                    let _e2646 = local_1.group;
+                                                                    phi_3248_ = (_e2646 + countOneBits(((_e2629 & ~((4294967295u << bitcast<u32>((((_e2625 - 24u) ^ _e1323) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3245_ = 4294967295u;
+                                                                    phi_3248_ = 4294967295u;
                                                                 }
-                                                                let _e2648 = phi_3245_;
-                                                                phi_3246_ = _e2648;
+                                                                let _e2649 = phi_3248_;
+                                                                phi_3249_ = _e2649;
                                                             } else {
-                                                                phi_3246_ = u32();
+                                                                phi_3249_ = u32();
                                                             }
-                                                            let _e2650 = phi_3246_;
-                                                            phi_2032_ = _e2650;
-                                                            let _e3040 = local_13;
-                                                            phi_2035_ = _e3040;
-                                                            let _e3043 = local_14;
-                                                            phi_3247_ = _e3043;
-                                                            let _e3046 = local_15;
-                                                            phi_3248_ = _e3046;
-                                                            phi_3249_ = false;
+                                                            let _e2651 = phi_3249_;
+                                                            phi_2035_ = _e2651;
+                                                            let _e3041 = local_13;
+                                                            phi_2038_ = _e3041;
+                                                            let _e3044 = local_14;
+                                                            phi_3250_ = _e3044;
+                                                            let _e3047 = local_15;
+                                                            phi_3251_ = _e3047;
+                                                            phi_3252_ = false;
                                                         } else {
-                                                            phi_2032_ = u32();
-                                                            phi_2035_ = bool();
-                                                            phi_3247_ = bool();
-                                                            phi_3248_ = false;
-                                                            phi_3249_ = true;
+                                                            phi_2035_ = u32();
+                                                            phi_2038_ = bool();
+                                                            phi_3250_ = bool();
+                                                            phi_3251_ = false;
+                                                            phi_3252_ = true;
                                                         }
-                                                        let _e2652 = phi_2032_;
-                                                        let _e2654 = phi_2035_;
-                                                        let _e2656 = phi_3247_;
-                                                        let _e2658 = phi_3248_;
-                                                        let _e2660 = phi_3249_;
-                                                        local_10 = _e2660;
-                                                        local_16 = _e2656;
+                                                        let _e2653 = phi_2035_;
+                                                        let _e2655 = phi_2038_;
+                                                        let _e2657 = phi_3250_;
+                                                        let _e2659 = phi_3251_;
+                                                        let _e2661 = phi_3252_;
+                                                        local_10 = _e2661;
+                                                        local_16 = _e2657;
                                                         continue;
                                                         continuing {
-                                                            phi_2031_ = _e2652;
-                                                            phi_2034_ = _e2654;
-                                                            break if !(_e2658);
+                                                            phi_2034_ = _e2653;
+                                                            phi_2037_ = _e2655;
+                                                            break if !(_e2659);
                                                         }
                                                     }
-                                                    let _e2663 = local_10;
-                                                    if _e2663 {
-                                                        phi_3253_ = false;
+                                                    let _e2664 = local_10;
+                                                    if _e2664 {
+                                                        phi_3256_ = false;
                                                     } else {
-                                                        phi_3253_ = true;
+                                                        phi_3256_ = true;
                                                     }
-                                                    let _e2665 = phi_3253_;
-                                                    if _e2665 {
-                                                        let _e3052 = local_16;
-                                                        phi_3257_ = _e3052;
+                                                    let _e2666 = phi_3256_;
+                                                    if _e2666 {
+                                                        let _e3053 = local_16;
+                                                        phi_3260_ = _e3053;
                                                     } else {
-                                                        let _e3054 = local_17;
-                                                        phi_3257_ = _e3054;
+                                                        let _e3055 = local_17;
+                                                        phi_3260_ = _e3055;
                                                     }
-                                                    let _e2667 = phi_3257_;
-                                                    phi_3258_ = _e2667;
+                                                    let _e2668 = phi_3260_;
+                                                    phi_3261_ = _e2668;
                                                 }
-                                                let _e2669 = phi_3258_;
-                                                phi_3259_ = _e2669;
-                                                phi_3260_ = _e1148;
+                                                let _e2670 = phi_3261_;
+                                                phi_3262_ = _e2670;
+                                                phi_3263_ = _e1149;
                                             } else {
-                                                phi_3259_ = bool();
-                                                phi_3260_ = true;
+                                                phi_3262_ = bool();
+                                                phi_3263_ = true;
                                             }
-                                            let _e2671 = phi_3259_;
-                                            let _e2673 = phi_3260_;
-                                            if _e2673 {
-                                                phi_3264_ = _e935;
+                                            let _e2672 = phi_3262_;
+                                            let _e2674 = phi_3263_;
+                                            if _e2674 {
+                                                phi_3267_ = _e936;
                                             } else {
-                                                phi_3264_ = _e2671;
+                                                phi_3267_ = _e2672;
                                             }
-                                            let _e2675 = phi_3264_;
-                                            if _e2675 {
-                                                phi_3268_ = false;
+                                            let _e2676 = phi_3267_;
+                                            if _e2676 {
+                                                phi_3271_ = false;
                                             } else {
-                                                phi_3268_ = true;
+                                                phi_3271_ = true;
                                             }
-                                            let _e2677 = phi_3268_;
-                                            phi_3269_ = _e2675;
-                                            phi_3270_ = _e2677;
+                                            let _e2678 = phi_3271_;
+                                            phi_3272_ = _e2676;
+                                            phi_3273_ = _e2678;
                                         } else {
-                                            phi_3269_ = _e935;
-                                            phi_3270_ = true;
+                                            phi_3272_ = _e936;
+                                            phi_3273_ = true;
                                         }
-                                        let _e2679 = phi_3269_;
-                                        let _e2681 = phi_3270_;
-                                        phi_3271_ = _e2679;
-                                        phi_3272_ = _e2681;
+                                        let _e2680 = phi_3272_;
+                                        let _e2682 = phi_3273_;
+                                        phi_3274_ = _e2680;
+                                        phi_3275_ = _e2682;
                                     } else {
-                                        phi_3271_ = _e935;
-                                        phi_3272_ = true;
+                                        phi_3274_ = _e936;
+                                        phi_3275_ = true;
                                     }
-                                    let _e2683 = phi_3271_;
-                                    let _e2685 = phi_3272_;
-                                    phi_3273_ = _e2683;
-                                    phi_3274_ = _e2685;
+                                    let _e2684 = phi_3274_;
+                                    let _e2686 = phi_3275_;
+                                    phi_3276_ = _e2684;
+                                    phi_3277_ = _e2686;
                                 } else {
-                                    phi_3273_ = _e935;
-                                    phi_3274_ = true;
+                                    phi_3276_ = _e936;
+                                    phi_3277_ = true;
                                 }
-                                let _e2687 = phi_3273_;
-                                let _e2689 = phi_3274_;
-                                if _e2689 {
+                                let _e2688 = phi_3276_;
+                                let _e2690 = phi_3277_;
+                                if _e2690 {
                                 }
-                                phi_1424_ = (_e933 & (_e933 - 1u));
-                                phi_1427_ = _e2687;
-                                phi_3278_ = _e2689;
+                                phi_1427_ = (_e934 & (_e934 - 1u));
+                                phi_1430_ = _e2688;
+                                phi_3281_ = _e2690;
                             }
-                            let _e2691 = phi_1424_;
-                            let _e2693 = phi_1427_;
-                            let _e2695 = phi_3278_;
+                            let _e2692 = phi_1427_;
+                            let _e2694 = phi_1430_;
+                            let _e2696 = phi_3281_;
                             continue;
                             continuing {
-                                phi_1423_ = _e2691;
-                                phi_1426_ = _e2693;
-                                break if !(_e2695);
+                                phi_1426_ = _e2692;
+                                phi_1429_ = _e2694;
+                                break if !(_e2696);
                             }
                         }
-                        let _e2698 = local_11;
-                        if _e2698 {
-                            let _e2700 = local_2.group_mask;
-                            if ((_e2700 & 4278190080u) == 0u) {
-                                let _e2704 = local_2.len;
-                                if (_e2704 == 0u) {
-                                    phi_3320_ = false;
+                        let _e2699 = local_11;
+                        if _e2699 {
+                            let _e2701 = local_2.group_mask;
+                            if ((_e2701 & 4278190080u) == 0u) {
+                                let _e2705 = local_2.len;
+                                if (_e2705 == 0u) {
+                                    phi_3323_ = false;
                                 } else {
-                                    let _e2708 = local_2.len;
-                                    local_2.len = (_e2708 - 1u);
-                                    let _e2711 = local_2.len;
-                                    if (_e2711 < 32u) {
+                                    let _e2709 = local_2.len;
+                                    local_2.len = (_e2709 - 1u);
+                                    let _e2712 = local_2.len;
+                                    if (_e2712 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2716 = local_2.first[(0u + _e2711)];
-                                    local_2.group = _e2716;
-                                    let _e2719 = local_2.len;
-                                    if (_e2719 < 32u) {
+                                    let _e2717 = local_2.first[(0u + _e2712)];
+                                    local_2.group = _e2717;
+                                    let _e2720 = local_2.len;
+                                    if (_e2720 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2724 = local_2.mask[(0u + _e2719)];
-                                    local_2.group_mask = _e2724;
-                                    phi_3320_ = true;
+                                    let _e2725 = local_2.mask[(0u + _e2720)];
+                                    local_2.group_mask = _e2725;
+                                    phi_3323_ = true;
                                 }
-                                let _e2727 = phi_3320_;
-                                phi_3321_ = _e2727;
+                                let _e2728 = phi_3323_;
+                                phi_3324_ = _e2728;
                             } else {
-                                phi_3321_ = true;
+                                phi_3324_ = true;
                             }
-                            let _e2729 = phi_3321_;
-                            if _e2729 {
-                                let _e2731 = local_2.group_mask;
-                                let _e2737 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2731)), 32u, (_e2731 == 0u)));
-                                let _e2741 = local_2.group_mask;
-                                let _e2755 = local_2.group_mask;
-                                local_2.group_mask = (_e2755 & ~((1u << bitcast<u32>((_e2737 & 31u)))));
-                                let _e2758 = local_2.group;
-                                phi_3352_ = (_e2758 + countOneBits(((_e2741 & ~((4294967295u << bitcast<u32>((((_e2737 - 24u) ^ _e357) & 31u))))) & 255u)));
+                            let _e2730 = phi_3324_;
+                            if _e2730 {
+                                let _e2732 = local_2.group_mask;
+                                let _e2738 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2732)), 32u, (_e2732 == 0u)));
+                                let _e2742 = local_2.group_mask;
+                                let _e2756 = local_2.group_mask;
+                                local_2.group_mask = (_e2756 & ~((1u << bitcast<u32>((_e2738 & 31u)))));
+                                let _e2759 = local_2.group;
+                                phi_3355_ = (_e2759 + countOneBits(((_e2742 & ~((4294967295u << bitcast<u32>((((_e2738 - 24u) ^ _e358) & 31u))))) & 255u)));
                             } else {
-                                phi_3352_ = 4294967295u;
+                                phi_3355_ = 4294967295u;
                             }
-                            let _e2761 = phi_3352_;
-                            phi_3353_ = _e2761;
+                            let _e2762 = phi_3355_;
+                            phi_3356_ = _e2762;
                         } else {
-                            phi_3353_ = u32();
+                            phi_3356_ = u32();
                         }
-                        let _e2763 = phi_3353_;
-                        phi_1092_ = _e2763;
-                        let _e3077 = local_18;
-                        phi_1095_ = _e3077;
-                        let _e3080 = local_19;
-                        phi_3354_ = _e3080;
-                        phi_3355_ = false;
+                        let _e2764 = phi_3356_;
+                        phi_1095_ = _e2764;
+                        let _e3078 = local_18;
+                        phi_1098_ = _e3078;
+                        let _e3081 = local_19;
+                        phi_3357_ = _e3081;
+                        phi_3358_ = false;
                     } else {
-                        phi_1092_ = u32();
-                        phi_1095_ = bool();
-                        phi_3354_ = false;
-                        phi_3355_ = true;
+                        phi_1095_ = u32();
+                        phi_1098_ = bool();
+                        phi_3357_ = false;
+                        phi_3358_ = true;
                     }
-                    let _e2765 = phi_1092_;
-                    let _e2767 = phi_1095_;
-                    let _e2769 = phi_3354_;
-                    let _e2771 = phi_3355_;
-                    local_12 = _e2771;
+                    let _e2766 = phi_1095_;
+                    let _e2768 = phi_1098_;
+                    let _e2770 = phi_3357_;
+                    let _e2772 = phi_3358_;
+                    local_12 = _e2772;
                     continue;
                     continuing {
-                        phi_1091_ = _e2765;
-                        phi_1094_ = _e2767;
-                        break if !(_e2769);
+                        phi_1094_ = _e2766;
+                        phi_1097_ = _e2768;
+                        break if !(_e2770);
                     }
                 }
-                let _e2774 = local_12;
-                if _e2774 {
-                    phi_3359_ = false;
+                let _e2775 = local_12;
+                if _e2775 {
+                    phi_3362_ = false;
                 } else {
-                    phi_3359_ = true;
+                    phi_3362_ = true;
                 }
-                let _e2776 = phi_3359_;
-                if _e2776 {
+                let _e2777 = phi_3362_;
+                if _e2777 {
                 }
-                phi_3363_ = _e2776;
+                phi_3366_ = _e2777;
             }
-            let _e2778 = phi_3363_;
-            phi_3364_ = _e213;
-            phi_3365_ = _e2778;
+            let _e2779 = phi_3366_;
+            phi_3367_ = _e214;
+            phi_3368_ = _e2779;
         } else {
-            phi_3364_ = true;
-            phi_3365_ = false;
+            phi_3367_ = true;
+            phi_3368_ = false;
         }
-        let _e2780 = phi_3364_;
-        let _e2782 = phi_3365_;
-        if _e2780 {
-            phi_3369_ = false;
-            phi_3370_ = true;
+        let _e2781 = phi_3367_;
+        let _e2783 = phi_3368_;
+        if _e2781 {
+            phi_3372_ = false;
+            phi_3373_ = true;
         } else {
-            phi_3369_ = true;
-            phi_3370_ = _e2782;
+            phi_3372_ = true;
+            phi_3373_ = _e2783;
         }
-        let _e2784 = phi_3369_;
-        let _e2786 = phi_3370_;
-        if _e2786 {
-            phi_3374_ = _e2784;
+        let _e2785 = phi_3372_;
+        let _e2787 = phi_3373_;
+        if _e2787 {
+            phi_3377_ = _e2785;
         } else {
-            phi_3374_ = false;
+            phi_3377_ = false;
         }
-        let _e2788 = phi_3374_;
-        if _e2788 {
-            phi_3378_ = 0f;
+        let _e2789 = phi_3377_;
+        if _e2789 {
+            phi_3381_ = 0f;
         } else {
-            phi_3378_ = 1f;
+            phi_3381_ = 1f;
         }
-        let _e2790 = phi_3378_;
+        let _e2791 = phi_3381_;
         if (_e110 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e110)] = _e2790;
+        visibility.member[(0u + _e110)] = _e2791;
     }
     return;
 }

@@ -11,6 +11,15 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,11 +48,11 @@ struct lt_bvh_traverse_Tree {
 
 struct abi_ShadeParams {
     camera: abi_CameraParams,
-    light: vec4<f32>,
+    light: abi_LightParams,
     light_color: vec4<f32>,
 }
 
-struct type_34 {
+struct type_35 {
     member: abi_ShadeParams,
 }
 
@@ -52,79 +61,84 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_34;
+var<uniform> p: type_35;
 @group(0) @binding(2) 
 var<storage> visibility: type_17;
 @group(0) @binding(3) 
 var<storage, read_write> picture: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_129_: lt_bvh_traverse_Tree;
-    var phi_130_: bool;
-    var phi_131_: lt_bvh_traverse_Tree;
-    var phi_132_: bool;
-    var phi_137_: lt_bvh_traverse_Tree;
+    var phi_132_: lt_bvh_traverse_Tree;
+    var phi_133_: bool;
+    var phi_134_: lt_bvh_traverse_Tree;
+    var phi_135_: bool;
+    var phi_140_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_129_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_130_ = false;
+            phi_132_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_133_ = false;
         } else {
-            phi_129_ = lt_bvh_traverse_Tree();
-            phi_130_ = true;
+            phi_132_ = lt_bvh_traverse_Tree();
+            phi_133_ = true;
         }
-        let _e62 = phi_129_;
-        let _e64 = phi_130_;
-        phi_131_ = _e62;
-        phi_132_ = _e64;
+        let _e62 = phi_132_;
+        let _e64 = phi_133_;
+        phi_134_ = _e62;
+        phi_135_ = _e64;
     } else {
-        phi_131_ = lt_bvh_traverse_Tree();
-        phi_132_ = true;
+        phi_134_ = lt_bvh_traverse_Tree();
+        phi_135_ = true;
     }
-    let _e66 = phi_131_;
-    let _e68 = phi_132_;
+    let _e66 = phi_134_;
+    let _e68 = phi_135_;
     if _e68 {
-        phi_137_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_140_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_137_ = _e66;
+        phi_140_ = _e66;
     }
-    let _e73 = phi_137_;
+    let _e73 = phi_140_;
     return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
 }
 
 fn function_() {
-    var phi_256_: bool;
-    var phi_257_: bool;
-    var phi_258_: bool;
     var phi_259_: bool;
-    var phi_263_: bool;
-    var phi_323_: vec3<f32>;
-    var phi_449_: f32;
-    var phi_450_: f32;
-    var phi_470_: f32;
-    var phi_471_: f32;
-    var phi_480_: f32;
-    var phi_481_: f32;
-    var phi_501_: f32;
-    var phi_502_: f32;
+    var phi_260_: bool;
+    var phi_261_: bool;
+    var phi_262_: bool;
+    var phi_266_: bool;
+    var phi_360_: f32;
+    var phi_361_: f32;
+    var phi_362_: f32;
+    var phi_365_: f32;
+    var phi_367_: f32;
+    var phi_384_: vec3<f32>;
+    var phi_510_: f32;
     var phi_511_: f32;
-    var phi_512_: f32;
+    var phi_531_: f32;
     var phi_532_: f32;
-    var phi_533_: f32;
-    var phi_570_: f32;
-    var phi_599_: f32;
-    var phi_600_: f32;
-    var phi_620_: f32;
-    var phi_621_: f32;
-    var phi_630_: f32;
+    var phi_541_: f32;
+    var phi_542_: f32;
+    var phi_562_: f32;
+    var phi_563_: f32;
+    var phi_572_: f32;
+    var phi_573_: f32;
+    var phi_593_: f32;
+    var phi_594_: f32;
     var phi_631_: f32;
-    var phi_651_: f32;
-    var phi_652_: f32;
+    var phi_660_: f32;
     var phi_661_: f32;
-    var phi_662_: f32;
+    var phi_681_: f32;
     var phi_682_: f32;
-    var phi_683_: f32;
-    var phi_716_: u32;
+    var phi_691_: f32;
+    var phi_692_: f32;
+    var phi_712_: f32;
+    var phi_713_: f32;
+    var phi_722_: f32;
+    var phi_723_: f32;
+    var phi_743_: f32;
+    var phi_744_: f32;
+    var phi_777_: u32;
 
     let _e49 = id_1;
     let _e63 = p.member.camera.size[0u];
@@ -160,248 +174,286 @@ fn function_() {
             if (_e143 == _e145) {
                 let _e148 = samples.member[(0u + _e66.first_primitive)].normal[2u];
                 let _e150 = global[2u];
-                phi_256_ = (_e148 == _e150);
-                phi_257_ = false;
+                phi_259_ = (_e148 == _e150);
+                phi_260_ = false;
             } else {
-                phi_256_ = bool();
-                phi_257_ = true;
+                phi_259_ = bool();
+                phi_260_ = true;
             }
-            let _e153 = phi_256_;
-            let _e155 = phi_257_;
-            phi_258_ = _e153;
-            phi_259_ = _e155;
+            let _e153 = phi_259_;
+            let _e155 = phi_260_;
+            phi_261_ = _e153;
+            phi_262_ = _e155;
         } else {
-            phi_258_ = bool();
-            phi_259_ = true;
+            phi_261_ = bool();
+            phi_262_ = true;
         }
-        let _e157 = phi_258_;
-        let _e159 = phi_259_;
+        let _e157 = phi_261_;
+        let _e159 = phi_262_;
         if _e159 {
-            phi_263_ = false;
+            phi_266_ = false;
         } else {
-            phi_263_ = _e157;
+            phi_266_ = _e157;
         }
-        let _e161 = phi_263_;
+        let _e161 = phi_266_;
         if !(_e161) {
             let _e164 = samples.member[(0u + _e66.first_primitive)].shading_normal;
-            let _e166 = p.member.light;
-            let _e171 = samples.member[(0u + _e66.first_primitive)].position;
-            let _e174 = p.member.light[3u];
-            let _e181 = (_e166.x - (_e171.x * _e174));
-            let _e182 = (_e166.y - (_e171.y * _e174));
-            let _e183 = (_e166.z - (_e171.z * _e174));
-            let _e190 = (1f / sqrt((((_e181 * _e181) + (_e182 * _e182)) + (_e183 * _e183))));
-            let _e201 = (((_e164.x * (_e181 * _e190)) + (_e164.y * (_e182 * _e190))) + (_e164.z * (_e183 * _e190)));
-            if (_e201 > 0f) {
-                let _e204 = p.member.light_color;
-                phi_323_ = vec3<f32>((_e204.x * (_e79 * _e201)), (_e204.y * (_e79 * _e201)), (_e204.z * (_e79 * _e201)));
-            } else {
-                phi_323_ = vec3<f32>(0f, 0f, 0f);
-            }
-            let _e216 = phi_323_;
-            let _e219 = (0.5f + (0.5f * _e164.y));
-            let _e220 = (1f - 0.4f);
-            let _e239 = (1f - _e219);
-            let _e265 = (0.8f + (0.2f * abs((((_e164.x * -((_e123 * _e132))) + (_e164.y * -(_e134))) + (_e164.z * -((_e125 * _e132)))))));
-            let _e267 = samples.member[(0u + _e66.first_primitive)].albedo;
-            let _e278 = (1f / 255f);
-            let _e279 = (f32((_e267 & 255u)) * _e278);
-            let _e280 = (f32(((_e267 >> bitcast<u32>(8i)) & 255u)) * _e278);
-            let _e281 = (f32(((_e267 >> bitcast<u32>(16i)) & 255u)) * _e278);
-            let _e298 = samples.member[(0u + _e66.first_primitive)].position;
-            let _e301 = p.member.camera.eye;
-            let _e304 = (_e298.x - _e301.x);
-            let _e307 = (_e298.y - _e301.y);
-            let _e310 = (_e298.z - _e301.z);
-            let _e319 = p.member.light_color[3u];
-            let _e323 = (1f - (1f / (1f + (sqrt((((_e304 * _e304) + (_e307 * _e307)) + (_e310 * _e310))) * _e319))));
-            let _e324 = (1f - _e323);
-            let _e334 = ((((_e279 * _e279) * (_e216.x + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e220) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e219) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e239)) * 0.42f) * _e265))) * _e324) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e323));
-            let _e335 = ((((_e280 * _e280) * (_e216.y + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e220) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e219) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e239)) * 0.42f) * _e265))) * _e324) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e323));
-            let _e336 = ((((_e281 * _e281) * (_e216.z + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e220) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e219) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e239)) * 0.42f) * _e265))) * _e324) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e323));
-            if (_e334 > 0f) {
-                if (_e334 < 1f) {
-                    phi_449_ = _e334;
+            let _e166 = samples.member[(0u + _e66.first_primitive)].position;
+            let _e169 = p.member.light.place;
+            let _e175 = p.member.light.place[3u];
+            let _e182 = (_e169.x - (_e166.x * _e175));
+            let _e183 = (_e169.y - (_e166.y * _e175));
+            let _e184 = (_e169.z - (_e166.z * _e175));
+            let _e191 = (1f / sqrt((((_e182 * _e182) + (_e183 * _e183)) + (_e184 * _e184))));
+            let _e202 = (((_e164.x * (_e182 * _e191)) + (_e164.y * (_e183 * _e191))) + (_e164.z * (_e184 * _e191)));
+            if (_e202 > 0f) {
+                let _e207 = p.member.light.place[3u];
+                if (_e207 == 0f) {
+                    phi_365_ = 1f;
                 } else {
-                    phi_449_ = 1f;
+                    let _e213 = (((_e182 * _e182) + (_e183 * _e183)) + (_e184 * _e184));
+                    let _e215 = p.member.light.axis;
+                    let _e228 = p.member.light.cos_inner;
+                    let _e230 = p.member.light.cos_outer;
+                    let _e231 = (_e228 - _e230);
+                    if (_e231 > 0f) {
+                        let _e234 = p.member.light.cos_outer;
+                        let _e236 = (((-((((_e182 * _e215.x) + (_e183 * _e215.y)) + (_e184 * _e215.z))) / sqrt(_e213)) - _e234) / _e231);
+                        if (_e236 > 0f) {
+                            if (_e236 < 1f) {
+                                phi_360_ = _e236;
+                            } else {
+                                phi_360_ = 1f;
+                            }
+                            let _e240 = phi_360_;
+                            phi_361_ = _e240;
+                        } else {
+                            phi_361_ = 0f;
+                        }
+                        let _e242 = phi_361_;
+                        phi_362_ = _e242;
+                    } else {
+                        phi_362_ = 1f;
+                    }
+                    let _e244 = phi_362_;
+                    phi_365_ = ((_e244 * _e244) / _e213);
                 }
-                let _e340 = phi_449_;
-                phi_450_ = _e340;
+                let _e248 = phi_365_;
+                phi_367_ = (_e202 * _e248);
             } else {
-                phi_450_ = 0f;
+                phi_367_ = 0f;
             }
-            let _e342 = phi_450_;
-            let _e345 = sqrt(sqrt(_e342));
-            let _e353 = ((((0.6620027f * sqrt(_e342)) + (0.6841221f * _e345)) - (0.3235836f * sqrt(_e345))) - (0.022541147f * _e342));
-            if (_e353 > 0f) {
-                if (_e353 < 1f) {
-                    phi_470_ = _e353;
+            let _e251 = phi_367_;
+            if (_e251 > 0f) {
+                let _e254 = p.member.light_color;
+                phi_384_ = vec3<f32>((_e254.x * (_e79 * _e251)), (_e254.y * (_e79 * _e251)), (_e254.z * (_e79 * _e251)));
+            } else {
+                phi_384_ = vec3<f32>(0f, 0f, 0f);
+            }
+            let _e266 = phi_384_;
+            let _e269 = (0.5f + (0.5f * _e164.y));
+            let _e270 = (1f - 0.4f);
+            let _e289 = (1f - _e269);
+            let _e315 = (0.8f + (0.2f * abs((((_e164.x * -((_e123 * _e132))) + (_e164.y * -(_e134))) + (_e164.z * -((_e125 * _e132)))))));
+            let _e317 = samples.member[(0u + _e66.first_primitive)].albedo;
+            let _e328 = (1f / 255f);
+            let _e329 = (f32((_e317 & 255u)) * _e328);
+            let _e330 = (f32(((_e317 >> bitcast<u32>(8i)) & 255u)) * _e328);
+            let _e331 = (f32(((_e317 >> bitcast<u32>(16i)) & 255u)) * _e328);
+            let _e348 = samples.member[(0u + _e66.first_primitive)].position;
+            let _e351 = p.member.camera.eye;
+            let _e354 = (_e348.x - _e351.x);
+            let _e357 = (_e348.y - _e351.y);
+            let _e360 = (_e348.z - _e351.z);
+            let _e369 = p.member.light_color[3u];
+            let _e373 = (1f - (1f / (1f + (sqrt((((_e354 * _e354) + (_e357 * _e357)) + (_e360 * _e360))) * _e369))));
+            let _e374 = (1f - _e373);
+            let _e384 = ((((_e329 * _e329) * (_e266.x + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e270) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e269) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e289)) * 0.42f) * _e315))) * _e374) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e373));
+            let _e385 = ((((_e330 * _e330) * (_e266.y + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e270) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e269) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e289)) * 0.42f) * _e315))) * _e374) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e373));
+            let _e386 = ((((_e331 * _e331) * (_e266.z + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e270) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e269) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e289)) * 0.42f) * _e315))) * _e374) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e373));
+            if (_e384 > 0f) {
+                if (_e384 < 1f) {
+                    phi_510_ = _e384;
                 } else {
-                    phi_470_ = 1f;
+                    phi_510_ = 1f;
                 }
-                let _e357 = phi_470_;
-                phi_471_ = _e357;
+                let _e390 = phi_510_;
+                phi_511_ = _e390;
             } else {
-                phi_471_ = 0f;
+                phi_511_ = 0f;
             }
-            let _e359 = phi_471_;
-            if (_e335 > 0f) {
-                if (_e335 < 1f) {
-                    phi_480_ = _e335;
+            let _e392 = phi_511_;
+            let _e395 = sqrt(sqrt(_e392));
+            let _e403 = ((((0.6620027f * sqrt(_e392)) + (0.6841221f * _e395)) - (0.3235836f * sqrt(_e395))) - (0.022541147f * _e392));
+            if (_e403 > 0f) {
+                if (_e403 < 1f) {
+                    phi_531_ = _e403;
                 } else {
-                    phi_480_ = 1f;
+                    phi_531_ = 1f;
                 }
-                let _e363 = phi_480_;
-                phi_481_ = _e363;
+                let _e407 = phi_531_;
+                phi_532_ = _e407;
             } else {
-                phi_481_ = 0f;
+                phi_532_ = 0f;
             }
-            let _e365 = phi_481_;
-            let _e368 = sqrt(sqrt(_e365));
-            let _e376 = ((((0.6620027f * sqrt(_e365)) + (0.6841221f * _e368)) - (0.3235836f * sqrt(_e368))) - (0.022541147f * _e365));
-            if (_e376 > 0f) {
-                if (_e376 < 1f) {
-                    phi_501_ = _e376;
+            let _e409 = phi_532_;
+            if (_e385 > 0f) {
+                if (_e385 < 1f) {
+                    phi_541_ = _e385;
                 } else {
-                    phi_501_ = 1f;
+                    phi_541_ = 1f;
                 }
-                let _e380 = phi_501_;
-                phi_502_ = _e380;
+                let _e413 = phi_541_;
+                phi_542_ = _e413;
             } else {
-                phi_502_ = 0f;
+                phi_542_ = 0f;
             }
-            let _e382 = phi_502_;
-            if (_e336 > 0f) {
-                if (_e336 < 1f) {
-                    phi_511_ = _e336;
+            let _e415 = phi_542_;
+            let _e418 = sqrt(sqrt(_e415));
+            let _e426 = ((((0.6620027f * sqrt(_e415)) + (0.6841221f * _e418)) - (0.3235836f * sqrt(_e418))) - (0.022541147f * _e415));
+            if (_e426 > 0f) {
+                if (_e426 < 1f) {
+                    phi_562_ = _e426;
                 } else {
-                    phi_511_ = 1f;
+                    phi_562_ = 1f;
                 }
-                let _e386 = phi_511_;
-                phi_512_ = _e386;
+                let _e430 = phi_562_;
+                phi_563_ = _e430;
             } else {
-                phi_512_ = 0f;
+                phi_563_ = 0f;
             }
-            let _e388 = phi_512_;
-            let _e391 = sqrt(sqrt(_e388));
-            let _e399 = ((((0.6620027f * sqrt(_e388)) + (0.6841221f * _e391)) - (0.3235836f * sqrt(_e391))) - (0.022541147f * _e388));
-            if (_e399 > 0f) {
-                if (_e399 < 1f) {
-                    phi_532_ = _e399;
+            let _e432 = phi_563_;
+            if (_e386 > 0f) {
+                if (_e386 < 1f) {
+                    phi_572_ = _e386;
                 } else {
-                    phi_532_ = 1f;
+                    phi_572_ = 1f;
                 }
-                let _e403 = phi_532_;
-                phi_533_ = _e403;
+                let _e436 = phi_572_;
+                phi_573_ = _e436;
             } else {
-                phi_533_ = 0f;
+                phi_573_ = 0f;
             }
-            let _e405 = phi_533_;
-            let _e407 = ((_e359 * 255f) + 0.5f);
-            let _e416 = ((_e382 * 255f) + 0.5f);
-            let _e428 = ((_e405 * 255f) + 0.5f);
-            phi_716_ = (((select(select(u32(_e407), 0u, (_e407 < bitcast<f32>(0u))), 4294967295u, (_e407 > bitcast<f32>(1333788671u))) | (select(select(u32(_e416), 0u, (_e416 < bitcast<f32>(0u))), 4294967295u, (_e416 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e428), 0u, (_e428 < bitcast<f32>(0u))), 4294967295u, (_e428 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e438 = phi_573_;
+            let _e441 = sqrt(sqrt(_e438));
+            let _e449 = ((((0.6620027f * sqrt(_e438)) + (0.6841221f * _e441)) - (0.3235836f * sqrt(_e441))) - (0.022541147f * _e438));
+            if (_e449 > 0f) {
+                if (_e449 < 1f) {
+                    phi_593_ = _e449;
+                } else {
+                    phi_593_ = 1f;
+                }
+                let _e453 = phi_593_;
+                phi_594_ = _e453;
+            } else {
+                phi_594_ = 0f;
+            }
+            let _e455 = phi_594_;
+            let _e457 = ((_e409 * 255f) + 0.5f);
+            let _e466 = ((_e432 * 255f) + 0.5f);
+            let _e478 = ((_e455 * 255f) + 0.5f);
+            phi_777_ = (((select(select(u32(_e457), 0u, (_e457 < bitcast<f32>(0u))), 4294967295u, (_e457 > bitcast<f32>(1333788671u))) | (select(select(u32(_e466), 0u, (_e466 < bitcast<f32>(0u))), 4294967295u, (_e466 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e478), 0u, (_e478 < bitcast<f32>(0u))), 4294967295u, (_e478 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         } else {
             if (_e134 > 0f) {
-                phi_570_ = _e134;
-            } else {
-                phi_570_ = 0f;
-            }
-            let _e442 = phi_570_;
-            let _e446 = (1f - ((1f - _e442) * (1f - _e442)));
-            let _e447 = (1f - _e446);
-            let _e460 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e447) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e446));
-            let _e461 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e447) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e446));
-            let _e462 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e447) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e446));
-            if (_e460 > 0f) {
-                if (_e460 < 1f) {
-                    phi_599_ = _e460;
-                } else {
-                    phi_599_ = 1f;
-                }
-                let _e466 = phi_599_;
-                phi_600_ = _e466;
-            } else {
-                phi_600_ = 0f;
-            }
-            let _e468 = phi_600_;
-            let _e471 = sqrt(sqrt(_e468));
-            let _e479 = ((((0.6620027f * sqrt(_e468)) + (0.6841221f * _e471)) - (0.3235836f * sqrt(_e471))) - (0.022541147f * _e468));
-            if (_e479 > 0f) {
-                if (_e479 < 1f) {
-                    phi_620_ = _e479;
-                } else {
-                    phi_620_ = 1f;
-                }
-                let _e483 = phi_620_;
-                phi_621_ = _e483;
-            } else {
-                phi_621_ = 0f;
-            }
-            let _e485 = phi_621_;
-            if (_e461 > 0f) {
-                if (_e461 < 1f) {
-                    phi_630_ = _e461;
-                } else {
-                    phi_630_ = 1f;
-                }
-                let _e489 = phi_630_;
-                phi_631_ = _e489;
+                phi_631_ = _e134;
             } else {
                 phi_631_ = 0f;
             }
-            let _e491 = phi_631_;
-            let _e494 = sqrt(sqrt(_e491));
-            let _e502 = ((((0.6620027f * sqrt(_e491)) + (0.6841221f * _e494)) - (0.3235836f * sqrt(_e494))) - (0.022541147f * _e491));
-            if (_e502 > 0f) {
-                if (_e502 < 1f) {
-                    phi_651_ = _e502;
+            let _e492 = phi_631_;
+            let _e496 = (1f - ((1f - _e492) * (1f - _e492)));
+            let _e497 = (1f - _e496);
+            let _e510 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e497) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e496));
+            let _e511 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e497) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e496));
+            let _e512 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e497) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e496));
+            if (_e510 > 0f) {
+                if (_e510 < 1f) {
+                    phi_660_ = _e510;
                 } else {
-                    phi_651_ = 1f;
+                    phi_660_ = 1f;
                 }
-                let _e506 = phi_651_;
-                phi_652_ = _e506;
+                let _e516 = phi_660_;
+                phi_661_ = _e516;
             } else {
-                phi_652_ = 0f;
+                phi_661_ = 0f;
             }
-            let _e508 = phi_652_;
-            if (_e462 > 0f) {
-                if (_e462 < 1f) {
-                    phi_661_ = _e462;
+            let _e518 = phi_661_;
+            let _e521 = sqrt(sqrt(_e518));
+            let _e529 = ((((0.6620027f * sqrt(_e518)) + (0.6841221f * _e521)) - (0.3235836f * sqrt(_e521))) - (0.022541147f * _e518));
+            if (_e529 > 0f) {
+                if (_e529 < 1f) {
+                    phi_681_ = _e529;
                 } else {
-                    phi_661_ = 1f;
+                    phi_681_ = 1f;
                 }
-                let _e512 = phi_661_;
-                phi_662_ = _e512;
+                let _e533 = phi_681_;
+                phi_682_ = _e533;
             } else {
-                phi_662_ = 0f;
+                phi_682_ = 0f;
             }
-            let _e514 = phi_662_;
-            let _e517 = sqrt(sqrt(_e514));
-            let _e525 = ((((0.6620027f * sqrt(_e514)) + (0.6841221f * _e517)) - (0.3235836f * sqrt(_e517))) - (0.022541147f * _e514));
-            if (_e525 > 0f) {
-                if (_e525 < 1f) {
-                    phi_682_ = _e525;
+            let _e535 = phi_682_;
+            if (_e511 > 0f) {
+                if (_e511 < 1f) {
+                    phi_691_ = _e511;
                 } else {
-                    phi_682_ = 1f;
+                    phi_691_ = 1f;
                 }
-                let _e529 = phi_682_;
-                phi_683_ = _e529;
+                let _e539 = phi_691_;
+                phi_692_ = _e539;
             } else {
-                phi_683_ = 0f;
+                phi_692_ = 0f;
             }
-            let _e531 = phi_683_;
-            let _e533 = ((_e485 * 255f) + 0.5f);
-            let _e542 = ((_e508 * 255f) + 0.5f);
-            let _e554 = ((_e531 * 255f) + 0.5f);
-            phi_716_ = (((select(select(u32(_e533), 0u, (_e533 < bitcast<f32>(0u))), 4294967295u, (_e533 > bitcast<f32>(1333788671u))) | (select(select(u32(_e542), 0u, (_e542 < bitcast<f32>(0u))), 4294967295u, (_e542 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e554), 0u, (_e554 < bitcast<f32>(0u))), 4294967295u, (_e554 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e541 = phi_692_;
+            let _e544 = sqrt(sqrt(_e541));
+            let _e552 = ((((0.6620027f * sqrt(_e541)) + (0.6841221f * _e544)) - (0.3235836f * sqrt(_e544))) - (0.022541147f * _e541));
+            if (_e552 > 0f) {
+                if (_e552 < 1f) {
+                    phi_712_ = _e552;
+                } else {
+                    phi_712_ = 1f;
+                }
+                let _e556 = phi_712_;
+                phi_713_ = _e556;
+            } else {
+                phi_713_ = 0f;
+            }
+            let _e558 = phi_713_;
+            if (_e512 > 0f) {
+                if (_e512 < 1f) {
+                    phi_722_ = _e512;
+                } else {
+                    phi_722_ = 1f;
+                }
+                let _e562 = phi_722_;
+                phi_723_ = _e562;
+            } else {
+                phi_723_ = 0f;
+            }
+            let _e564 = phi_723_;
+            let _e567 = sqrt(sqrt(_e564));
+            let _e575 = ((((0.6620027f * sqrt(_e564)) + (0.6841221f * _e567)) - (0.3235836f * sqrt(_e567))) - (0.022541147f * _e564));
+            if (_e575 > 0f) {
+                if (_e575 < 1f) {
+                    phi_743_ = _e575;
+                } else {
+                    phi_743_ = 1f;
+                }
+                let _e579 = phi_743_;
+                phi_744_ = _e579;
+            } else {
+                phi_744_ = 0f;
+            }
+            let _e581 = phi_744_;
+            let _e583 = ((_e535 * 255f) + 0.5f);
+            let _e592 = ((_e558 * 255f) + 0.5f);
+            let _e604 = ((_e581 * 255f) + 0.5f);
+            phi_777_ = (((select(select(u32(_e583), 0u, (_e583 < bitcast<f32>(0u))), 4294967295u, (_e583 > bitcast<f32>(1333788671u))) | (select(select(u32(_e592), 0u, (_e592 < bitcast<f32>(0u))), 4294967295u, (_e592 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e604), 0u, (_e604 < bitcast<f32>(0u))), 4294967295u, (_e604 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         }
-        let _e567 = phi_716_;
+        let _e617 = phi_777_;
         if (_e66.first_primitive < arrayLength((&picture.member))) {
         } else {
             return;
         }
-        picture.member[(0u + _e66.first_primitive)] = _e567;
+        picture.member[(0u + _e66.first_primitive)] = _e617;
     }
     return;
 }

@@ -11,6 +11,15 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -37,17 +46,17 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
-struct type_35 {
+struct type_36 {
     member: array<vec4<f32>>,
 }
 
 struct abi_ShadeParams {
     camera: abi_CameraParams,
-    light: vec4<f32>,
+    light: abi_LightParams,
     light_color: vec4<f32>,
 }
 
-struct type_39 {
+struct type_40 {
     member: abi_ShadeParams,
 }
 
@@ -56,81 +65,86 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_39;
+var<uniform> p: type_40;
 @group(0) @binding(2) 
 var<storage> visibility: type_17;
 @group(0) @binding(3) 
 var<storage, read_write> picture: type_13;
 @group(0) @binding(4) 
-var<storage> tints: type_35;
+var<storage> tints: type_36;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_135_: lt_bvh_traverse_Tree;
-    var phi_136_: bool;
-    var phi_137_: lt_bvh_traverse_Tree;
-    var phi_138_: bool;
-    var phi_143_: lt_bvh_traverse_Tree;
+    var phi_138_: lt_bvh_traverse_Tree;
+    var phi_139_: bool;
+    var phi_140_: lt_bvh_traverse_Tree;
+    var phi_141_: bool;
+    var phi_146_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_135_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_136_ = false;
+            phi_138_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_139_ = false;
         } else {
-            phi_135_ = lt_bvh_traverse_Tree();
-            phi_136_ = true;
+            phi_138_ = lt_bvh_traverse_Tree();
+            phi_139_ = true;
         }
-        let _e63 = phi_135_;
-        let _e65 = phi_136_;
-        phi_137_ = _e63;
-        phi_138_ = _e65;
+        let _e63 = phi_138_;
+        let _e65 = phi_139_;
+        phi_140_ = _e63;
+        phi_141_ = _e65;
     } else {
-        phi_137_ = lt_bvh_traverse_Tree();
-        phi_138_ = true;
+        phi_140_ = lt_bvh_traverse_Tree();
+        phi_141_ = true;
     }
-    let _e67 = phi_137_;
-    let _e69 = phi_138_;
+    let _e67 = phi_140_;
+    let _e69 = phi_141_;
     if _e69 {
-        phi_143_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_146_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_143_ = _e67;
+        phi_146_ = _e67;
     }
-    let _e74 = phi_143_;
+    let _e74 = phi_146_;
     return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
 fn function_() {
-    var phi_277_: bool;
-    var phi_278_: bool;
-    var phi_279_: bool;
     var phi_280_: bool;
-    var phi_284_: bool;
-    var phi_344_: vec3<f32>;
-    var phi_470_: f32;
-    var phi_471_: f32;
-    var phi_491_: f32;
-    var phi_492_: f32;
-    var phi_501_: f32;
-    var phi_502_: f32;
-    var phi_522_: f32;
-    var phi_523_: f32;
+    var phi_281_: bool;
+    var phi_282_: bool;
+    var phi_283_: bool;
+    var phi_287_: bool;
+    var phi_381_: f32;
+    var phi_382_: f32;
+    var phi_383_: f32;
+    var phi_386_: f32;
+    var phi_388_: f32;
+    var phi_405_: vec3<f32>;
+    var phi_531_: f32;
     var phi_532_: f32;
-    var phi_533_: f32;
+    var phi_552_: f32;
     var phi_553_: f32;
-    var phi_554_: f32;
-    var phi_591_: f32;
-    var phi_620_: f32;
-    var phi_621_: f32;
-    var phi_641_: f32;
-    var phi_642_: f32;
-    var phi_651_: f32;
+    var phi_562_: f32;
+    var phi_563_: f32;
+    var phi_583_: f32;
+    var phi_584_: f32;
+    var phi_593_: f32;
+    var phi_594_: f32;
+    var phi_614_: f32;
+    var phi_615_: f32;
     var phi_652_: f32;
-    var phi_672_: f32;
-    var phi_673_: f32;
+    var phi_681_: f32;
     var phi_682_: f32;
-    var phi_683_: f32;
+    var phi_702_: f32;
     var phi_703_: f32;
-    var phi_704_: f32;
-    var phi_737_: u32;
+    var phi_712_: f32;
+    var phi_713_: f32;
+    var phi_733_: f32;
+    var phi_734_: f32;
+    var phi_743_: f32;
+    var phi_744_: f32;
+    var phi_764_: f32;
+    var phi_765_: f32;
+    var phi_798_: u32;
 
     let _e50 = id_1;
     let _e67 = p.member.camera.size[0u];
@@ -171,248 +185,286 @@ fn function_() {
             if (_e157 == _e159) {
                 let _e162 = samples.member[(0u + _e70.first_primitive)].normal[2u];
                 let _e164 = global[2u];
-                phi_277_ = (_e162 == _e164);
-                phi_278_ = false;
+                phi_280_ = (_e162 == _e164);
+                phi_281_ = false;
             } else {
-                phi_277_ = bool();
-                phi_278_ = true;
+                phi_280_ = bool();
+                phi_281_ = true;
             }
-            let _e167 = phi_277_;
-            let _e169 = phi_278_;
-            phi_279_ = _e167;
-            phi_280_ = _e169;
+            let _e167 = phi_280_;
+            let _e169 = phi_281_;
+            phi_282_ = _e167;
+            phi_283_ = _e169;
         } else {
-            phi_279_ = bool();
-            phi_280_ = true;
+            phi_282_ = bool();
+            phi_283_ = true;
         }
-        let _e171 = phi_279_;
-        let _e173 = phi_280_;
+        let _e171 = phi_282_;
+        let _e173 = phi_283_;
         if _e173 {
-            phi_284_ = false;
+            phi_287_ = false;
         } else {
-            phi_284_ = _e171;
+            phi_287_ = _e171;
         }
-        let _e175 = phi_284_;
+        let _e175 = phi_287_;
         if !(_e175) {
             let _e178 = samples.member[(0u + _e70.first_primitive)].shading_normal;
-            let _e180 = p.member.light;
-            let _e185 = samples.member[(0u + _e70.first_primitive)].position;
-            let _e188 = p.member.light[3u];
-            let _e195 = (_e180.x - (_e185.x * _e188));
-            let _e196 = (_e180.y - (_e185.y * _e188));
-            let _e197 = (_e180.z - (_e185.z * _e188));
-            let _e204 = (1f / sqrt((((_e195 * _e195) + (_e196 * _e196)) + (_e197 * _e197))));
-            let _e215 = (((_e178.x * (_e195 * _e204)) + (_e178.y * (_e196 * _e204))) + (_e178.z * (_e197 * _e204)));
-            if (_e215 > 0f) {
-                let _e218 = p.member.light_color;
-                phi_344_ = vec3<f32>((_e218.x * ((_e83.x * _e90) * _e215)), (_e218.y * ((_e83.y * _e90) * _e215)), (_e218.z * ((_e83.z * _e90) * _e215)));
-            } else {
-                phi_344_ = vec3<f32>(0f, 0f, 0f);
-            }
-            let _e230 = phi_344_;
-            let _e233 = (0.5f + (0.5f * _e178.y));
-            let _e234 = (1f - 0.4f);
-            let _e253 = (1f - _e233);
-            let _e279 = (0.8f + (0.2f * abs((((_e178.x * -((_e137 * _e146))) + (_e178.y * -(_e148))) + (_e178.z * -((_e139 * _e146)))))));
-            let _e281 = samples.member[(0u + _e70.first_primitive)].albedo;
-            let _e292 = (1f / 255f);
-            let _e293 = (f32((_e281 & 255u)) * _e292);
-            let _e294 = (f32(((_e281 >> bitcast<u32>(8i)) & 255u)) * _e292);
-            let _e295 = (f32(((_e281 >> bitcast<u32>(16i)) & 255u)) * _e292);
-            let _e312 = samples.member[(0u + _e70.first_primitive)].position;
-            let _e315 = p.member.camera.eye;
-            let _e318 = (_e312.x - _e315.x);
-            let _e321 = (_e312.y - _e315.y);
-            let _e324 = (_e312.z - _e315.z);
-            let _e333 = p.member.light_color[3u];
-            let _e337 = (1f - (1f / (1f + (sqrt((((_e318 * _e318) + (_e321 * _e321)) + (_e324 * _e324))) * _e333))));
-            let _e338 = (1f - _e337);
-            let _e348 = ((((_e293 * _e293) * (_e230.x + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e234) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e233) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e253)) * 0.42f) * _e279))) * _e338) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e337));
-            let _e349 = ((((_e294 * _e294) * (_e230.y + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e234) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e233) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e253)) * 0.42f) * _e279))) * _e338) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e337));
-            let _e350 = ((((_e295 * _e295) * (_e230.z + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e234) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e233) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e253)) * 0.42f) * _e279))) * _e338) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e337));
-            if (_e348 > 0f) {
-                if (_e348 < 1f) {
-                    phi_470_ = _e348;
+            let _e180 = samples.member[(0u + _e70.first_primitive)].position;
+            let _e183 = p.member.light.place;
+            let _e189 = p.member.light.place[3u];
+            let _e196 = (_e183.x - (_e180.x * _e189));
+            let _e197 = (_e183.y - (_e180.y * _e189));
+            let _e198 = (_e183.z - (_e180.z * _e189));
+            let _e205 = (1f / sqrt((((_e196 * _e196) + (_e197 * _e197)) + (_e198 * _e198))));
+            let _e216 = (((_e178.x * (_e196 * _e205)) + (_e178.y * (_e197 * _e205))) + (_e178.z * (_e198 * _e205)));
+            if (_e216 > 0f) {
+                let _e221 = p.member.light.place[3u];
+                if (_e221 == 0f) {
+                    phi_386_ = 1f;
                 } else {
-                    phi_470_ = 1f;
+                    let _e227 = (((_e196 * _e196) + (_e197 * _e197)) + (_e198 * _e198));
+                    let _e229 = p.member.light.axis;
+                    let _e242 = p.member.light.cos_inner;
+                    let _e244 = p.member.light.cos_outer;
+                    let _e245 = (_e242 - _e244);
+                    if (_e245 > 0f) {
+                        let _e248 = p.member.light.cos_outer;
+                        let _e250 = (((-((((_e196 * _e229.x) + (_e197 * _e229.y)) + (_e198 * _e229.z))) / sqrt(_e227)) - _e248) / _e245);
+                        if (_e250 > 0f) {
+                            if (_e250 < 1f) {
+                                phi_381_ = _e250;
+                            } else {
+                                phi_381_ = 1f;
+                            }
+                            let _e254 = phi_381_;
+                            phi_382_ = _e254;
+                        } else {
+                            phi_382_ = 0f;
+                        }
+                        let _e256 = phi_382_;
+                        phi_383_ = _e256;
+                    } else {
+                        phi_383_ = 1f;
+                    }
+                    let _e258 = phi_383_;
+                    phi_386_ = ((_e258 * _e258) / _e227);
                 }
-                let _e354 = phi_470_;
-                phi_471_ = _e354;
+                let _e262 = phi_386_;
+                phi_388_ = (_e216 * _e262);
             } else {
-                phi_471_ = 0f;
+                phi_388_ = 0f;
             }
-            let _e356 = phi_471_;
-            let _e359 = sqrt(sqrt(_e356));
-            let _e367 = ((((0.6620027f * sqrt(_e356)) + (0.6841221f * _e359)) - (0.3235836f * sqrt(_e359))) - (0.022541147f * _e356));
-            if (_e367 > 0f) {
-                if (_e367 < 1f) {
-                    phi_491_ = _e367;
+            let _e265 = phi_388_;
+            if (_e265 > 0f) {
+                let _e268 = p.member.light_color;
+                phi_405_ = vec3<f32>((_e268.x * ((_e83.x * _e90) * _e265)), (_e268.y * ((_e83.y * _e90) * _e265)), (_e268.z * ((_e83.z * _e90) * _e265)));
+            } else {
+                phi_405_ = vec3<f32>(0f, 0f, 0f);
+            }
+            let _e280 = phi_405_;
+            let _e283 = (0.5f + (0.5f * _e178.y));
+            let _e284 = (1f - 0.4f);
+            let _e303 = (1f - _e283);
+            let _e329 = (0.8f + (0.2f * abs((((_e178.x * -((_e137 * _e146))) + (_e178.y * -(_e148))) + (_e178.z * -((_e139 * _e146)))))));
+            let _e331 = samples.member[(0u + _e70.first_primitive)].albedo;
+            let _e342 = (1f / 255f);
+            let _e343 = (f32((_e331 & 255u)) * _e342);
+            let _e344 = (f32(((_e331 >> bitcast<u32>(8i)) & 255u)) * _e342);
+            let _e345 = (f32(((_e331 >> bitcast<u32>(16i)) & 255u)) * _e342);
+            let _e362 = samples.member[(0u + _e70.first_primitive)].position;
+            let _e365 = p.member.camera.eye;
+            let _e368 = (_e362.x - _e365.x);
+            let _e371 = (_e362.y - _e365.y);
+            let _e374 = (_e362.z - _e365.z);
+            let _e383 = p.member.light_color[3u];
+            let _e387 = (1f - (1f / (1f + (sqrt((((_e368 * _e368) + (_e371 * _e371)) + (_e374 * _e374))) * _e383))));
+            let _e388 = (1f - _e387);
+            let _e398 = ((((_e343 * _e343) * (_e280.x + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e284) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e283) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e303)) * 0.42f) * _e329))) * _e388) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e387));
+            let _e399 = ((((_e344 * _e344) * (_e280.y + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e284) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e283) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e303)) * 0.42f) * _e329))) * _e388) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e387));
+            let _e400 = ((((_e345 * _e345) * (_e280.z + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e284) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e283) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e303)) * 0.42f) * _e329))) * _e388) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e387));
+            if (_e398 > 0f) {
+                if (_e398 < 1f) {
+                    phi_531_ = _e398;
                 } else {
-                    phi_491_ = 1f;
+                    phi_531_ = 1f;
                 }
-                let _e371 = phi_491_;
-                phi_492_ = _e371;
+                let _e404 = phi_531_;
+                phi_532_ = _e404;
             } else {
-                phi_492_ = 0f;
+                phi_532_ = 0f;
             }
-            let _e373 = phi_492_;
-            if (_e349 > 0f) {
-                if (_e349 < 1f) {
-                    phi_501_ = _e349;
+            let _e406 = phi_532_;
+            let _e409 = sqrt(sqrt(_e406));
+            let _e417 = ((((0.6620027f * sqrt(_e406)) + (0.6841221f * _e409)) - (0.3235836f * sqrt(_e409))) - (0.022541147f * _e406));
+            if (_e417 > 0f) {
+                if (_e417 < 1f) {
+                    phi_552_ = _e417;
                 } else {
-                    phi_501_ = 1f;
+                    phi_552_ = 1f;
                 }
-                let _e377 = phi_501_;
-                phi_502_ = _e377;
+                let _e421 = phi_552_;
+                phi_553_ = _e421;
             } else {
-                phi_502_ = 0f;
+                phi_553_ = 0f;
             }
-            let _e379 = phi_502_;
-            let _e382 = sqrt(sqrt(_e379));
-            let _e390 = ((((0.6620027f * sqrt(_e379)) + (0.6841221f * _e382)) - (0.3235836f * sqrt(_e382))) - (0.022541147f * _e379));
-            if (_e390 > 0f) {
-                if (_e390 < 1f) {
-                    phi_522_ = _e390;
+            let _e423 = phi_553_;
+            if (_e399 > 0f) {
+                if (_e399 < 1f) {
+                    phi_562_ = _e399;
                 } else {
-                    phi_522_ = 1f;
+                    phi_562_ = 1f;
                 }
-                let _e394 = phi_522_;
-                phi_523_ = _e394;
+                let _e427 = phi_562_;
+                phi_563_ = _e427;
             } else {
-                phi_523_ = 0f;
+                phi_563_ = 0f;
             }
-            let _e396 = phi_523_;
-            if (_e350 > 0f) {
-                if (_e350 < 1f) {
-                    phi_532_ = _e350;
+            let _e429 = phi_563_;
+            let _e432 = sqrt(sqrt(_e429));
+            let _e440 = ((((0.6620027f * sqrt(_e429)) + (0.6841221f * _e432)) - (0.3235836f * sqrt(_e432))) - (0.022541147f * _e429));
+            if (_e440 > 0f) {
+                if (_e440 < 1f) {
+                    phi_583_ = _e440;
                 } else {
-                    phi_532_ = 1f;
+                    phi_583_ = 1f;
                 }
-                let _e400 = phi_532_;
-                phi_533_ = _e400;
+                let _e444 = phi_583_;
+                phi_584_ = _e444;
             } else {
-                phi_533_ = 0f;
+                phi_584_ = 0f;
             }
-            let _e402 = phi_533_;
-            let _e405 = sqrt(sqrt(_e402));
-            let _e413 = ((((0.6620027f * sqrt(_e402)) + (0.6841221f * _e405)) - (0.3235836f * sqrt(_e405))) - (0.022541147f * _e402));
-            if (_e413 > 0f) {
-                if (_e413 < 1f) {
-                    phi_553_ = _e413;
+            let _e446 = phi_584_;
+            if (_e400 > 0f) {
+                if (_e400 < 1f) {
+                    phi_593_ = _e400;
                 } else {
-                    phi_553_ = 1f;
+                    phi_593_ = 1f;
                 }
-                let _e417 = phi_553_;
-                phi_554_ = _e417;
+                let _e450 = phi_593_;
+                phi_594_ = _e450;
             } else {
-                phi_554_ = 0f;
+                phi_594_ = 0f;
             }
-            let _e419 = phi_554_;
-            let _e421 = ((_e373 * 255f) + 0.5f);
-            let _e430 = ((_e396 * 255f) + 0.5f);
-            let _e442 = ((_e419 * 255f) + 0.5f);
-            phi_737_ = (((select(select(u32(_e421), 0u, (_e421 < bitcast<f32>(0u))), 4294967295u, (_e421 > bitcast<f32>(1333788671u))) | (select(select(u32(_e430), 0u, (_e430 < bitcast<f32>(0u))), 4294967295u, (_e430 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e442), 0u, (_e442 < bitcast<f32>(0u))), 4294967295u, (_e442 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e452 = phi_594_;
+            let _e455 = sqrt(sqrt(_e452));
+            let _e463 = ((((0.6620027f * sqrt(_e452)) + (0.6841221f * _e455)) - (0.3235836f * sqrt(_e455))) - (0.022541147f * _e452));
+            if (_e463 > 0f) {
+                if (_e463 < 1f) {
+                    phi_614_ = _e463;
+                } else {
+                    phi_614_ = 1f;
+                }
+                let _e467 = phi_614_;
+                phi_615_ = _e467;
+            } else {
+                phi_615_ = 0f;
+            }
+            let _e469 = phi_615_;
+            let _e471 = ((_e423 * 255f) + 0.5f);
+            let _e480 = ((_e446 * 255f) + 0.5f);
+            let _e492 = ((_e469 * 255f) + 0.5f);
+            phi_798_ = (((select(select(u32(_e471), 0u, (_e471 < bitcast<f32>(0u))), 4294967295u, (_e471 > bitcast<f32>(1333788671u))) | (select(select(u32(_e480), 0u, (_e480 < bitcast<f32>(0u))), 4294967295u, (_e480 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e492), 0u, (_e492 < bitcast<f32>(0u))), 4294967295u, (_e492 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         } else {
             if (_e148 > 0f) {
-                phi_591_ = _e148;
-            } else {
-                phi_591_ = 0f;
-            }
-            let _e456 = phi_591_;
-            let _e460 = (1f - ((1f - _e456) * (1f - _e456)));
-            let _e461 = (1f - _e460);
-            let _e474 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e461) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e460));
-            let _e475 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e461) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e460));
-            let _e476 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e461) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e460));
-            if (_e474 > 0f) {
-                if (_e474 < 1f) {
-                    phi_620_ = _e474;
-                } else {
-                    phi_620_ = 1f;
-                }
-                let _e480 = phi_620_;
-                phi_621_ = _e480;
-            } else {
-                phi_621_ = 0f;
-            }
-            let _e482 = phi_621_;
-            let _e485 = sqrt(sqrt(_e482));
-            let _e493 = ((((0.6620027f * sqrt(_e482)) + (0.6841221f * _e485)) - (0.3235836f * sqrt(_e485))) - (0.022541147f * _e482));
-            if (_e493 > 0f) {
-                if (_e493 < 1f) {
-                    phi_641_ = _e493;
-                } else {
-                    phi_641_ = 1f;
-                }
-                let _e497 = phi_641_;
-                phi_642_ = _e497;
-            } else {
-                phi_642_ = 0f;
-            }
-            let _e499 = phi_642_;
-            if (_e475 > 0f) {
-                if (_e475 < 1f) {
-                    phi_651_ = _e475;
-                } else {
-                    phi_651_ = 1f;
-                }
-                let _e503 = phi_651_;
-                phi_652_ = _e503;
+                phi_652_ = _e148;
             } else {
                 phi_652_ = 0f;
             }
-            let _e505 = phi_652_;
-            let _e508 = sqrt(sqrt(_e505));
-            let _e516 = ((((0.6620027f * sqrt(_e505)) + (0.6841221f * _e508)) - (0.3235836f * sqrt(_e508))) - (0.022541147f * _e505));
-            if (_e516 > 0f) {
-                if (_e516 < 1f) {
-                    phi_672_ = _e516;
+            let _e506 = phi_652_;
+            let _e510 = (1f - ((1f - _e506) * (1f - _e506)));
+            let _e511 = (1f - _e510);
+            let _e524 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e511) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e510));
+            let _e525 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e511) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e510));
+            let _e526 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e511) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e510));
+            if (_e524 > 0f) {
+                if (_e524 < 1f) {
+                    phi_681_ = _e524;
                 } else {
-                    phi_672_ = 1f;
+                    phi_681_ = 1f;
                 }
-                let _e520 = phi_672_;
-                phi_673_ = _e520;
+                let _e530 = phi_681_;
+                phi_682_ = _e530;
             } else {
-                phi_673_ = 0f;
+                phi_682_ = 0f;
             }
-            let _e522 = phi_673_;
-            if (_e476 > 0f) {
-                if (_e476 < 1f) {
-                    phi_682_ = _e476;
+            let _e532 = phi_682_;
+            let _e535 = sqrt(sqrt(_e532));
+            let _e543 = ((((0.6620027f * sqrt(_e532)) + (0.6841221f * _e535)) - (0.3235836f * sqrt(_e535))) - (0.022541147f * _e532));
+            if (_e543 > 0f) {
+                if (_e543 < 1f) {
+                    phi_702_ = _e543;
                 } else {
-                    phi_682_ = 1f;
+                    phi_702_ = 1f;
                 }
-                let _e526 = phi_682_;
-                phi_683_ = _e526;
+                let _e547 = phi_702_;
+                phi_703_ = _e547;
             } else {
-                phi_683_ = 0f;
+                phi_703_ = 0f;
             }
-            let _e528 = phi_683_;
-            let _e531 = sqrt(sqrt(_e528));
-            let _e539 = ((((0.6620027f * sqrt(_e528)) + (0.6841221f * _e531)) - (0.3235836f * sqrt(_e531))) - (0.022541147f * _e528));
-            if (_e539 > 0f) {
-                if (_e539 < 1f) {
-                    phi_703_ = _e539;
+            let _e549 = phi_703_;
+            if (_e525 > 0f) {
+                if (_e525 < 1f) {
+                    phi_712_ = _e525;
                 } else {
-                    phi_703_ = 1f;
+                    phi_712_ = 1f;
                 }
-                let _e543 = phi_703_;
-                phi_704_ = _e543;
+                let _e553 = phi_712_;
+                phi_713_ = _e553;
             } else {
-                phi_704_ = 0f;
+                phi_713_ = 0f;
             }
-            let _e545 = phi_704_;
-            let _e547 = ((_e499 * 255f) + 0.5f);
-            let _e556 = ((_e522 * 255f) + 0.5f);
-            let _e568 = ((_e545 * 255f) + 0.5f);
-            phi_737_ = (((select(select(u32(_e547), 0u, (_e547 < bitcast<f32>(0u))), 4294967295u, (_e547 > bitcast<f32>(1333788671u))) | (select(select(u32(_e556), 0u, (_e556 < bitcast<f32>(0u))), 4294967295u, (_e556 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e568), 0u, (_e568 < bitcast<f32>(0u))), 4294967295u, (_e568 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e555 = phi_713_;
+            let _e558 = sqrt(sqrt(_e555));
+            let _e566 = ((((0.6620027f * sqrt(_e555)) + (0.6841221f * _e558)) - (0.3235836f * sqrt(_e558))) - (0.022541147f * _e555));
+            if (_e566 > 0f) {
+                if (_e566 < 1f) {
+                    phi_733_ = _e566;
+                } else {
+                    phi_733_ = 1f;
+                }
+                let _e570 = phi_733_;
+                phi_734_ = _e570;
+            } else {
+                phi_734_ = 0f;
+            }
+            let _e572 = phi_734_;
+            if (_e526 > 0f) {
+                if (_e526 < 1f) {
+                    phi_743_ = _e526;
+                } else {
+                    phi_743_ = 1f;
+                }
+                let _e576 = phi_743_;
+                phi_744_ = _e576;
+            } else {
+                phi_744_ = 0f;
+            }
+            let _e578 = phi_744_;
+            let _e581 = sqrt(sqrt(_e578));
+            let _e589 = ((((0.6620027f * sqrt(_e578)) + (0.6841221f * _e581)) - (0.3235836f * sqrt(_e581))) - (0.022541147f * _e578));
+            if (_e589 > 0f) {
+                if (_e589 < 1f) {
+                    phi_764_ = _e589;
+                } else {
+                    phi_764_ = 1f;
+                }
+                let _e593 = phi_764_;
+                phi_765_ = _e593;
+            } else {
+                phi_765_ = 0f;
+            }
+            let _e595 = phi_765_;
+            let _e597 = ((_e549 * 255f) + 0.5f);
+            let _e606 = ((_e572 * 255f) + 0.5f);
+            let _e618 = ((_e595 * 255f) + 0.5f);
+            phi_798_ = (((select(select(u32(_e597), 0u, (_e597 < bitcast<f32>(0u))), 4294967295u, (_e597 > bitcast<f32>(1333788671u))) | (select(select(u32(_e606), 0u, (_e606 < bitcast<f32>(0u))), 4294967295u, (_e606 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e618), 0u, (_e618 < bitcast<f32>(0u))), 4294967295u, (_e618 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         }
-        let _e581 = phi_737_;
+        let _e631 = phi_798_;
         if (_e70.first_primitive < arrayLength((&picture.member))) {
         } else {
             return;
         }
-        picture.member[(0u + _e70.first_primitive)] = _e581;
+        picture.member[(0u + _e70.first_primitive)] = _e631;
     }
     return;
 }

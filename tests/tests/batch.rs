@@ -1,10 +1,10 @@
 //! Map evaluation in batches gives the verdicts of the shared function, on every built-in scene.
 
-use lt_math::{Evsm, Vsm};
-use lt_render::cpu::{BatchTest, CpuBackend, evaluate_batch};
+use lt_math::{Evsm, Levels, Vsm};
+use lt_render::cpu::{BatchTest, CpuBackend, evaluate_batch, evaluate_batch_levels};
 use lt_render::{Backend, PackedScene, PassKind, Sample};
 use lt_shaders::abi::ShadowParams;
-use lt_shaders::evaluate::{GatheredDepths, evaluate};
+use lt_shaders::evaluate::{GatheredDepths, evaluate, evaluate_levels};
 use lt_tests::{builtin, cpu_session};
 
 const SCENES: [&str; 8] =
@@ -16,18 +16,30 @@ fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
         let scene = builtin(name);
         let session = cpu_session(&scene, 333, 217);
         let mut backend = CpuBackend::new(PackedScene::new(&scene).expect("packs"));
-        for id in ["vsm", "ltt-vsm", "evsm", "ltt-evsm"] {
+        for id in ["vsm", "ltt-vsm:cascades=1", "evsm", "ltt-evsm:cascades=1"] {
             let job = session.job(&id.parse().expect("id"));
             backend.begin(&job).expect("begins");
             backend.pass(PassKind::DepthMap, &job).expect("draws");
             let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_map());
             let different = match id {
                 "vsm" => differences::<Vsm, false>(samples, p, depths),
-                "ltt-vsm" => differences::<Vsm, true>(samples, p, depths),
+                "ltt-vsm:cascades=1" => differences::<Vsm, true>(samples, p, depths),
                 "evsm" => differences::<Evsm, false>(samples, p, depths),
                 _ => differences::<Evsm, true>(samples, p, depths),
             };
             assert_eq!(different, 0, "{name} {id}");
+        }
+        let job = session.job(&"ltt-evsm".parse().expect("id"));
+        let projections = job.searched_levels().expect("cascades");
+        backend.begin(&job).expect("begins");
+        backend.pass(PassKind::DepthMap, &job).expect("draws");
+        let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_map());
+        let (mut lit, mut doubted) = (vec![0.0; samples.len()], vec![false; samples.len()]);
+        evaluate_batch_levels::<Evsm, true>(samples, p, &projections, depths, &mut lit, &mut doubted);
+        let levels = Levels { projections: &projections, count: projections.len() as u32 };
+        for (i, sample) in samples.iter().enumerate() {
+            let v = evaluate_levels::<Evsm, _, _, true>(sample, p, GatheredDepths { depths }, levels);
+            assert_eq!((v.visibility.to_bits(), v.is_doubted), (lit[i].to_bits(), doubted[i]), "{name} {i}");
         }
     }
 }

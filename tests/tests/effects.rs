@@ -25,6 +25,32 @@ fn a_needless_alpha_test_changes_no_bit() {
 }
 
 #[test]
+fn needless_levels_change_no_bit() {
+    let scene = builtin("square:6");
+    let mut session = cpu_session(&scene, 200, 120);
+    for id in [
+        "sm",
+        "pcf",
+        "esm",
+        "vsm:prefiltered",
+        "ltt-vsm:cascades=1",
+        "ltt-evsm:cascades=1",
+        "lt-evsm:cascades=1",
+    ] {
+        let technique = technique(id);
+        let plan = session.plan(&technique);
+        assert!(!plan.level_search && plan.levels == 1, "one map calls for no search");
+        let lean = session.render(&technique).expect("frame");
+        session.play(lt_render::Sequence::default());
+        let forced = session
+            .render_plan(&technique, lt_render::EffectPlan { level_search: true, ..plan })
+            .expect("frame");
+        assert_eq!(count_different(&lean.visibility, &forced.visibility, 0.0), 0, "{id}");
+        assert_eq!(lean.rays, forced.rays);
+    }
+}
+
+#[test]
 fn only_the_passes_of_the_plan_run() {
     use PassKind::{DepthMap, Evaluate, FilterX, FilterY, Resolve};
     let scene = builtin("cornell");

@@ -1,6 +1,7 @@
 //! Resolvers in the light's own space give the rays' own bits, for every light, scene and number of threads.
 
-use lt_render::{RenderError, Session, Setup, Technique};
+use lt_render::{BackendKind, RenderError, Session, Setup, Technique};
+use lt_scene::{Light, LightKind};
 use lt_tests::{builtin, count_different, cpu_session, gpu_session};
 
 /// Rays, and the resolvers that must equal them.
@@ -35,6 +36,23 @@ fn resolvers_in_light_space_answer_as_rays_do() {
         // The masks of the second frame have learnt from the first.
         compare(&mut session, name);
     }
+}
+
+#[test]
+fn lights_with_a_position_are_seen_on_six_faces() {
+    let scene = builtin("square:6");
+    let bounds = scene.bounds();
+    let mut setup = Setup::for_scene(&scene, 320, 180);
+    let kind = LightKind::Point { position: (bounds.min + bounds.max) * 0.5, range: f32::INFINITY };
+    setup.light = Light { kind, ..setup.light };
+    let mut session = Session::new(&scene, setup, BackendKind::Cpu).expect("session");
+    let rays = session.render(&Technique::RAY).expect("frame");
+    for id in ["ray:light", "ray:dac", "alias-free"] {
+        let points = session.render(&technique(id)).expect("frame");
+        assert_eq!(count_different(&points.visibility, &rays.visibility, 0.0), 0, "{id}");
+    }
+    let blocked = rays.visibility.iter().zip(&rays.doubt).filter(|(v, d)| **d && **v == 0.0).count();
+    assert!(blocked > 100, "{blocked} blocked");
 }
 
 #[test]

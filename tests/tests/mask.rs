@@ -50,6 +50,8 @@ fn a_still_view_has_no_wrong_pixel_in_any_frame_and_never_flips() {
             "lt-msm-hausdorff",
             "lt-evsm:no-rr",
             "lt-evsm:pattern=plus",
+            "lt-evsm:cascades=1",
+            "lt-evsm:cascades=3:far=map",
         ] {
             let doubt = session.render(&technique(id.replace("lt-", "ltt-").split(':').next().unwrap_or("")));
             had_work |= wrong(&session, &truth, &doubt.expect("frame")) != [0, 0];
@@ -128,14 +130,16 @@ fn the_published_removal_errs_where_the_doubt_alone_does_not() {
 
 #[test]
 fn a_kept_map_is_drawn_once_while_it_fits_and_every_frame_without_reuse() {
-    let mut draws = [0, 0];
-    play("street:6", 6, &["lt-evsm", "lt-evsm:no-reuse"], |_, _, frames| {
-        draws[0] += frames[1].map_draws;
-        draws[1] += frames[2].map_draws;
-        let drawn = frames[1].passes.iter().filter(|p| p.kind == PassKind::DepthMap).count();
-        assert_eq!(drawn as u32, frames[1].map_draws);
-    });
-    assert!(draws[0] < draws[1] && draws[1] == 6, "{draws:?}");
+    for (id, maps) in [("lt-evsm:cascades=1", 1), ("lt-evsm", 3)] {
+        let mut draws = [0, 0];
+        play("street:6", 6, &[id, &format!("{id}:no-reuse")], |_, _, frames| {
+            draws[0] += frames[1].map_draws;
+            draws[1] += frames[2].map_draws;
+            let has_drawn = frames[1].passes.iter().any(|p| p.kind == PassKind::DepthMap);
+            assert_eq!(has_drawn, frames[1].map_draws > 0);
+        });
+        assert!(draws[0] < draws[1] && draws[1] == 6 * maps, "{id}: {draws:?}");
+    }
 }
 
 #[test]

@@ -82,7 +82,7 @@ impl CompareArgs {
             (.., false) => self.techniques.clone(),
         };
         let mut unique = Vec::new();
-        for technique in typed.into_iter().map(|t| t.with_epsilon(self.scene.epsilon)) {
+        for technique in typed.into_iter().map(|t| t.with(self.scene.technique_defaults())) {
             if !unique.contains(&technique) {
                 unique.push(technique);
             }

@@ -14,7 +14,7 @@ use crate::{
 /// # Errors
 /// A bad request or a scene that cannot be read.
 pub fn run(args: &PlanArgs) -> anyhow::Result<()> {
-    let technique = args.technique.with_epsilon(args.scene.epsilon);
+    let technique = args.technique.with(args.scene.technique_defaults());
     let opened = args.scene.open(&[technique])?;
     let plan = opened.session.plan(&technique);
     writeln!(std::io::stdout(), "{} by {technique}\n\n{}", opened.name, text(&plan))?;

@@ -24,7 +24,7 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     if let Some(dir) = &args.dump {
         files::prepare_dir(dir)?;
     }
-    let technique = args.technique.with_epsilon(args.scene.epsilon);
+    let technique = args.technique.with(args.scene.technique_defaults());
     let mut opened = args.scene.open(&[technique])?;
     let session = &mut opened.session;
     let work = spinner(&format!("drawing with {technique}"));

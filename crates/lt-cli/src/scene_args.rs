@@ -4,13 +4,13 @@ use anyhow::Context;
 use clap::{Args, value_parser};
 use lt_math::glam::{UVec2, Vec3};
 use lt_render::{BackendKind, RenderError, Session, Setup, Technique};
-use lt_scene::{Camera, Light, Scene, Source};
+use lt_scene::{Camera, Light, LightKind, Scene, Source};
 
 use crate::{
     failure::Usage,
     numbers::grouped,
     progress::spinner,
-    values::{self, Ground},
+    values::{self, Cone, Defaults, Ground},
 };
 
 /// Options shared by `compare`, `render` and `plan`.
@@ -38,8 +38,17 @@ pub struct SceneArgs {
     #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = values::degrees, help_heading = "View and light")]
     pub fov: Option<f32>,
     /// Index of the scene's light to draw shadows for
-    #[arg(long, value_name = "N", conflicts_with = "light_dir", help_heading = "View and light")]
+    #[arg(long, value_name = "N", conflicts_with_all = ["light_dir", "light_pos"], help_heading = "View and light")]
     pub light: Option<usize>,
+    /// Position of a point light; of a spot light with --light-dir
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::point, help_heading = "View and light")]
+    pub light_pos: Option<Vec3>,
+    /// Half-angles in degrees past which a spot light does not shine, and up to which it shines fully [default: 30]
+    #[arg(long, value_name = "OUTER[,INNER]", requires = "light_pos", requires = "light_dir", value_parser = values::cone, help_heading = "View and light")]
+    pub cone: Option<Cone>,
+    /// Distance past which a spot or point light has no effect [default: unlimited]
+    #[arg(long, value_name = "X", requires = "light_pos", value_parser = values::range, help_heading = "View and light")]
+    pub light_range: Option<f32>,
     /// Direction in which the light travels
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::direction, help_heading = "View and light")]
     pub light_dir: Option<Vec3>,
@@ -61,10 +70,16 @@ pub struct SceneArgs {
     /// ε of the leak tracing techniques whose id does not set it [default: 0.01]
     #[arg(long, value_name = "X", allow_hyphen_values = true, value_parser = values::epsilon, help_heading = "Techniques")]
     pub epsilon: Option<f32>,
+    /// Levels of a directional light's map, for techniques whose id does not say [default: ltt- and lt- 4, others 1]
+    #[arg(long, value_name = "N", value_parser = lt_render::parse_count, help_heading = "Techniques")]
+    pub cascades: Option<u32>,
     /// CPU threads [default: all]
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024), help_heading = "Machine")]
     pub threads: Option<u16>,
 }
+
+/// A spot light's cone unless told otherwise.
+const DEFAULT_CONE: Cone = Cone { outer_deg: 30.0, inner_deg: 25.0 };
 
 /// A scene ready to be drawn.
 pub struct Opened {
@@ -104,6 +119,11 @@ impl SceneArgs {
         Ok(Opened { session, name: scene.name.clone(), source, scene })
     }
 
+    /// What the options say about techniques whose ids leave it open.
+    pub fn technique_defaults(&self) -> Defaults {
+        Defaults { epsilon: self.epsilon, cascades: self.cascades }
+    }
+
     /// The scene at a moment, ground included. The ground's size is that of the pose at the moment asked for by `--time`.
     ///
     /// # Errors
@@ -133,13 +153,33 @@ impl SceneArgs {
         if let Some(index) = self.light {
             setup.light = pick("--light", index, &scene.lights)?;
         }
-        if let Some(direction) = self.light_dir {
-            setup.light = Light::sun(direction);
+        if let Some(kind) = self.light_kind() {
+            setup.light = Light { kind, ..Light::sun(Vec3::NEG_Y) };
         }
         self.aim(&mut setup.camera)?;
         setup.packing.traces_translucency = self.translucent;
         setup.map_size = self.map_size.unwrap_or(setup.map_size);
         Ok(setup)
+    }
+
+    /// The light that the options describe, if they do.
+    fn light_kind(&self) -> Option<LightKind> {
+        let range = self.light_range.unwrap_or(f32::INFINITY);
+        Some(match (self.light_pos, self.light_dir.map(Vec3::normalize)) {
+            (None, None) => return None,
+            (None, Some(direction)) => LightKind::Directional { direction },
+            (Some(position), None) => LightKind::Point { position, range },
+            (Some(position), Some(direction)) => {
+                let cone = self.cone.unwrap_or(DEFAULT_CONE);
+                LightKind::Spot {
+                    position,
+                    direction,
+                    inner_cone_rad: cone.inner_deg.to_radians(),
+                    outer_cone_rad: cone.outer_deg.to_radians(),
+                    range,
+                }
+            }
+        })
     }
 
     fn aim(&self, camera: &mut Camera) -> Result<(), Usage> {
@@ -219,6 +259,9 @@ mod tests {
             assert!(parse(&words).is_err(), "{words:?}");
         }
         assert!(parse(&["--light", "0", "--light-dir", "0,-1,0"]).is_err());
+        assert!(parse(&["--light", "0", "--light-pos", "0,-1,0"]).is_err());
+        assert!(parse(&["--light-pos", "0,1,0", "--cone", "20"]).is_err());
+        assert!(parse(&["--light-dir", "0,-1,0", "--light-range", "2"]).is_err());
     }
 
     #[test]
@@ -229,6 +272,24 @@ mod tests {
             "--light 0: the scene has none; leave the option out"
         );
         assert_eq!(pick("--camera", 1, &[7, 8]).unwrap(), 8);
+    }
+
+    #[test]
+    fn place_and_direction_make_the_light() {
+        let kind = |words: &[&str]| parse(words).unwrap().light_kind();
+        assert_eq!(kind(&[]), None);
+        assert!(matches!(
+            kind(&["--light-dir", "0,-2,0"]),
+            Some(LightKind::Directional { direction: Vec3::NEG_Y })
+        ));
+        let point = kind(&["--light-pos", "1,2,3", "--light-range", "7"]);
+        assert_eq!(point, Some(LightKind::Point { position: Vec3::new(1.0, 2.0, 3.0), range: 7.0 }));
+        let spot = kind(&["--light-pos", "1,2,3", "--light-dir", "0,-1,0", "--cone", "60,45"]);
+        let Some(LightKind::Spot { inner_cone_rad, outer_cone_rad, range, .. }) = spot else {
+            panic!("{spot:?}")
+        };
+        assert_eq!((inner_cone_rad.to_degrees().round(), outer_cone_rad.to_degrees().round()), (45.0, 60.0));
+        assert_eq!(range, f32::INFINITY);
     }
 
     #[test]

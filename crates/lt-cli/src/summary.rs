@@ -22,6 +22,12 @@ pub struct View {
     pub fov_deg: f32,
     /// Direction in which the light travels; none for a light that has no single one.
     pub light_dir: Option<[f32; 3]>,
+    /// Where a spot or point light stands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub light_pos: Option<[f32; 3]>,
+    /// Half-angle of a spot light's cone, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cone_deg: Option<f32>,
 }
 
 /// The facts of a run.
@@ -103,11 +109,12 @@ impl View {
     /// Camera and light of a setup.
     pub fn of(setup: &lt_render::Setup) -> Self {
         let camera = &setup.camera;
-        let light_dir = match setup.light.kind {
-            LightKind::Directional { direction } | LightKind::Spot { direction, .. } => {
-                Some(direction.to_array())
+        let (light_pos, light_dir, cone_deg) = match setup.light.kind {
+            LightKind::Directional { direction } => (None, Some(direction.to_array()), None),
+            LightKind::Point { position, .. } => (Some(position.to_array()), None, None),
+            LightKind::Spot { position, direction, outer_cone_rad, .. } => {
+                (Some(position.to_array()), Some(direction.to_array()), Some(outer_cone_rad.to_degrees()))
             }
-            LightKind::Point { .. } => None,
         };
         Self {
             eye: camera.eye.to_array(),
@@ -115,6 +122,8 @@ impl View {
             up: camera.up.to_array(),
             fov_deg: camera.fov_y_rad.to_degrees(),
             light_dir,
+            light_pos,
+            cone_deg,
         }
     }
 }

@@ -85,6 +85,31 @@ pub fn map_size(text: &str) -> Result<u32, String> {
     }
 }
 
+/// A spot light's cone, half-angles in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cone {
+    /// Past which it does not shine.
+    pub outer_deg: f32,
+    /// Up to which it shines fully.
+    pub inner_deg: f32,
+}
+
+/// A cone, `outer` or `outer,inner`; the inner one is five sixths of the outer one unless given.
+pub fn cone(text: &str) -> Result<Cone, String> {
+    let (outer, inner) = text.split_once(',').map_or((text, None), |(outer, inner)| (outer, Some(inner)));
+    let outer_deg = finite(outer)?;
+    let inner_deg = inner.map_or(Ok(outer_deg * 5.0 / 6.0), finite)?;
+    match 0.0 <= inner_deg && inner_deg <= outer_deg && 0.0 < outer_deg && outer_deg < 90.0 {
+        true => Ok(Cone { outer_deg, inner_deg }),
+        false => Err("must be half-angles with 0 ≤ inner ≤ outer < 90 degrees, such as 30 or 30,20".into()),
+    }
+}
+
+/// A distance above 0.
+pub fn range(text: &str) -> Result<f32, String> {
+    finite(text).and_then(|r| if r > 0.0 { Ok(r) } else { Err("must lie above 0".into()) })
+}
+
 /// A ground square: its height and, unless it should fit the scene, half its side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ground {
@@ -112,22 +137,42 @@ pub struct TypedTechnique {
     pub technique: Technique,
     /// Whether the id itself sets ε.
     pub sets_epsilon: bool,
+    /// Whether the id itself says how many levels its map has.
+    pub sets_cascades: bool,
+}
+
+/// What options say about techniques whose ids leave it open.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Defaults {
+    /// LTT's ε.
+    pub epsilon: Option<f32>,
+    /// Levels of a directional light's map.
+    pub cascades: Option<u32>,
 }
 
 impl TypedTechnique {
-    /// The technique, with `epsilon` where its id leaves ε open. Ids without a doubt test ignore it.
-    pub fn with_epsilon(self, epsilon: Option<f32>) -> Technique {
-        let takes_epsilon = self.technique.doubt == lt_render::Doubt::Ltt && !self.sets_epsilon;
-        match epsilon {
-            Some(epsilon) if takes_epsilon => Technique { epsilon, ..self.technique },
-            _ => self.technique,
+    /// The technique, with what its id leaves open. Ids without a doubt test have no ε, those without a map no levels.
+    pub fn with(self, defaults: Defaults) -> Technique {
+        let mut technique = self.technique;
+        if let Some(epsilon) = defaults.epsilon
+            && technique.doubt == lt_render::Doubt::Ltt
+            && !self.sets_epsilon
+        {
+            technique.epsilon = epsilon;
         }
+        if let Some(count) = defaults.cascades
+            && technique.map_test().is_some()
+            && !self.sets_cascades
+        {
+            technique.cascades = technique.cascades.with_count(count);
+        }
+        technique
     }
 }
 
 impl From<Technique> for TypedTechnique {
     fn from(technique: Technique) -> Self {
-        Self { technique, sets_epsilon: false }
+        Self { technique, sets_epsilon: false, sets_cascades: false }
     }
 }
 
@@ -135,7 +180,11 @@ impl From<Technique> for TypedTechnique {
 pub fn technique(text: &str) -> Result<TypedTechnique, String> {
     let technique =
         text.trim().parse::<Technique>().map_err(|e| format!("{}; see `lt compare --list`", e.problem))?;
-    Ok(TypedTechnique { technique, sets_epsilon: text.contains(":eps=") })
+    Ok(TypedTechnique {
+        technique,
+        sets_epsilon: text.contains(":eps="),
+        sets_cascades: text.contains(":cascades=") || text.contains(":splits="),
+    })
 }
 
 #[cfg(test)]
@@ -172,6 +221,16 @@ mod tests {
     }
 
     #[test]
+    fn cones_are_ordered_and_below_a_right_angle() {
+        assert_eq!(cone("30"), Ok(Cone { outer_deg: 30.0, inner_deg: 25.0 }));
+        assert_eq!(cone("30,0"), Ok(Cone { outer_deg: 30.0, inner_deg: 0.0 }));
+        for text in ["0", "90", "30,31", "30,-1", "x", "30,x", ""] {
+            assert!(cone(text).is_err(), "{text}");
+        }
+        assert!(range("0").is_err() && range("-1").is_err() && range("2") == Ok(2.0));
+    }
+
+    #[test]
     fn sizes_are_bounded() {
         assert_eq!(size("1280x720"), Ok(UVec2::new(1280, 720)));
         for text in ["0x5", "5x0", "16385x1", "16384x16384", "12", "x", "-1x5", "99999999999x1"] {
@@ -193,10 +252,13 @@ mod tests {
     }
 
     #[test]
-    fn epsilon_fills_only_what_an_id_leaves_open() {
-        let with = |id: &str| technique(id).unwrap().with_epsilon(Some(0.2)).epsilon;
-        assert_eq!(with("ltt-evsm"), 0.2);
-        assert_eq!(with("ltt-evsm:eps=0.01"), 0.01);
-        assert_eq!(technique("vsm").unwrap().with_epsilon(Some(0.2)), technique("vsm").unwrap().technique);
+    fn options_fill_only_what_an_id_leaves_open() {
+        let defaults = Defaults { epsilon: Some(0.2), cascades: Some(3) };
+        let with = |id: &str| technique(id).unwrap().with(defaults);
+        assert_eq!(with("ltt-evsm").epsilon, 0.2);
+        assert_eq!(with("ltt-evsm:eps=0.01").epsilon, 0.01);
+        assert_eq!(with("ltt-evsm:splits=2:eps=0.01").cascades.count, 2);
+        assert_eq!(with("vsm").to_string(), "vsm:cascades=3");
+        assert_eq!(with("ray"), Technique::RAY);
     }
 }

@@ -63,8 +63,6 @@ pub trait LevelSource: Copy {
     fn find(&self, position: Vec3, map_size: u32) -> LevelPoint;
     /// A level's projection.
     fn projection(&self, level: u32) -> LightProjection;
-    /// Whether a level is the last.
-    fn is_last(&self, level: u32) -> bool;
 }
 
 /// The one map of a directional light. All of it answers: its fit leaves a margin.
@@ -83,10 +81,6 @@ impl LevelSource for OneLevel {
     #[inline]
     fn projection(&self, _level: u32) -> LightProjection {
         self.projection
-    }
-    #[inline]
-    fn is_last(&self, _level: u32) -> bool {
-        true
     }
 }
 
@@ -117,10 +111,6 @@ impl LevelSource for Levels<'_> {
     #[inline]
     fn projection(&self, level: u32) -> LightProjection {
         self.projections[level as usize]
-    }
-    #[inline]
-    fn is_last(&self, level: u32) -> bool {
-        level + 1 == self.count
     }
 }
 

@@ -102,6 +102,26 @@ impl LightProjection {
         Self::pyramid(eye, frame, num_traits::Float::tan(0.5 * f64::from(fov_rad)), near, far)
     }
 
+    /// [`LightProjection::perspective`] of half the angle `cone_rad`, widened so that `border_texels` texels on each side of
+    /// a map of `map_size`² lie outside that angle: footprints at the cone's edge find all their texels.
+    ///
+    /// Angles outside (0, π/2), a map of no more than two borders, or not 0 ≤ near < far, give a projection that no point is
+    /// inside of.
+    pub fn bordered(
+        eye: Vec3,
+        frame: &LightFrame,
+        cone_rad: f32,
+        (border_texels, map_size): (u32, u32),
+        near: f32,
+        far: f32,
+    ) -> Self {
+        if !(cone_rad > 0.0 && cone_rad < core::f32::consts::FRAC_PI_2 && map_size > 2 * border_texels) {
+            return Self::NOWHERE;
+        }
+        let widened = f64::from(map_size) / f64::from(map_size - 2 * border_texels);
+        Self::pyramid(eye, frame, num_traits::Float::tan(f64::from(cone_rad)) * widened, near, far)
+    }
+
     /// Face 0…5 (+X, −X, +Y, −Y, +Z, −Z) of a point light at `eye`; see [`LightFrame::of_cube_face`].
     ///
     /// Not 0 ≤ near < far gives a projection that no point is inside of.
@@ -215,6 +235,24 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn every_direction_lies_well_inside_some_bordered_face(
+            x in -1.0f32..1.0, y in -1.0f32..1.0, z in -1.0f32..1.0, snap in 0u32..4
+        ) {
+            // Onto the faces' borders and corners, too.
+            let largest = x.abs().max(y.abs()).max(z.abs());
+            let onto = |c: f32, bit: u32| if snap & bit != 0 { largest.copysign(c) } else { c };
+            let direction = Vec3::new(onto(x, 1), onto(y, 2), z);
+            prop_assume!(largest > 0.02);
+            let eye = Vec3::new(3.0, -4.0, 5.0);
+            let faces: [LightProjection; 6] = core::array::from_fn(|face| {
+                let frame = LightFrame::of_cube_face(face as u32);
+                LightProjection::bordered(eye, &frame, core::f32::consts::FRAC_PI_4, (2, 512), 0.0, 10.0)
+            });
+            let levels = crate::Levels { projections: &faces, count: 6 };
+            prop_assert!(crate::LevelSource::find(&levels, eye + direction, 512).point.is_inside, "{direction}");
+        }
+
         #[test]
         fn every_direction_is_inside_exactly_the_face_it_leaves_through(
             x in -1.0f32..1.0, y in -1.0f32..1.0, z in -1.0f32..1.0

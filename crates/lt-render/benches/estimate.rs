@@ -61,7 +61,7 @@ fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], p: &ShadowPa
         }
     }
     assert!(answers[0] == answers[1], "{id}: the batch differs from the shared function");
-    let by_map = samples.iter().filter(|s| !settle(s, p.light).1).count();
+    let by_map = samples.iter().filter(|s| !settle(s, &p.light).1).count();
     let [batch, shared] = times.map(|mut t| {
         t.sort();
         t[t.len() / 2].as_secs_f64() * 1e9

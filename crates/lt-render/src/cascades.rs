@@ -34,8 +34,6 @@ pub struct Cascades {
     pub splits: Splits,
     /// What answers in the last.
     pub far: FarLevel,
-    /// Border of the last map over which an estimate without doubt fades to light, as a share of its width; 0 for none.
-    pub fade: f32,
 }
 
 impl Cascades {
@@ -44,7 +42,20 @@ impl Cascades {
 
     /// This many levels, every one with a map, cut by the usual blend.
     pub const fn levels(count: u32) -> Self {
-        Self { count, splits: Splits::Blend(DEFAULT_SPLIT_BLEND), far: FarLevel::Map, fade: 0.0 }
+        Self { count, splits: Splits::Blend(DEFAULT_SPLIT_BLEND), far: FarLevel::Map }
+    }
+
+    /// What leaves least to rays for three maps' cost, as in Kern et al. 2024: four levels, the last one traced.
+    pub const TRACED_FAR: Self = Self { far: FarLevel::Rays, ..Self::levels(4) };
+
+    /// The same with this many levels; one level is one map.
+    pub fn with_count(self, count: u32) -> Self {
+        let far = if count == 1 { FarLevel::Map } else { self.far };
+        let splits = match self.splits {
+            Splits::Depths(_) => Splits::Blend(DEFAULT_SPLIT_BLEND),
+            blend => blend,
+        };
+        Self { count, far, splits }
     }
 
     /// How many maps are drawn.
@@ -58,7 +69,9 @@ impl Cascades {
     /// Takes one modifier of a technique's id, without its colon. `None` if it is not about cascades.
     pub(crate) fn apply(&mut self, key: &str, value: &str) -> Option<Result<(), String>> {
         Some(match key {
-            "cascades" => parse_count(value).map(|count| self.count = count),
+            "cascades" => parse_count(value)
+                .map(|count| *self = self.with_count(count))
+                .map_err(|problem| format!("`cascades={value}` {problem}")),
             "lambda" => number(value, 0.0..=1.0)
                 .map(|blend| self.splits = Splits::Blend(blend))
                 .ok_or_else(|| format!("`lambda={value}` must be a number from 0 to 1")),
@@ -77,9 +90,6 @@ impl Cascades {
                 }
                 _ => Err(format!("`far={value}` must be map or ray")),
             },
-            "fade" => number(value, 0.0..=0.5)
-                .map(|fade| self.fade = fade)
-                .ok_or_else(|| format!("`fade={value}` must be a number from 0 to 0.5")),
             _ => return None,
         })
     }
@@ -101,22 +111,23 @@ impl Cascades {
                 }
             }
         }
-        if self.far != usual.far {
+        // One level is one map in any case.
+        if self.far != usual.far && self.count > 1 {
             write!(f, ":far={}", if self.far == FarLevel::Map { "map" } else { "ray" })?;
-        }
-        if self.fade != usual.fade {
-            write!(f, ":fade={}", self.fade)?;
         }
         Ok(())
     }
 }
 
 /// A number of levels.
-pub(crate) fn parse_count(text: &str) -> Result<u32, String> {
+///
+/// # Errors
+/// In words, what would be right.
+pub fn parse_count(text: &str) -> Result<u32, String> {
     text.parse()
         .ok()
         .filter(|n| (1..=MAX_LEVELS).contains(n))
-        .ok_or_else(|| format!("`cascades={text}` must be a whole number from 1 to {MAX_LEVELS}"))
+        .ok_or_else(|| format!("must be a whole number of levels from 1 to {MAX_LEVELS}"))
 }
 
 fn number(text: &str, range: std::ops::RangeInclusive<f32>) -> Option<f32> {

@@ -96,7 +96,7 @@ const TURNS: u32 = 8;
 fn fit_level(frame: &LightFrame, seen: &[Vec3], scene: Bounds, growth: f32, map_size: u32) -> LightFit {
     if seen.is_empty() {
         let nowhere = LightProjection::orthographic(frame, Vec3::ZERO, Vec3::ZERO);
-        return LightFit { projection: nowhere, extent_world: Vec3::ZERO };
+        return LightFit { projection: nowhere, extent_world: Vec3::ZERO, near: 0.0 };
     }
     let area = |b: &Bounds| (b.max - b.min).truncate().element_product();
     let turned = |i: u32| {
@@ -122,7 +122,11 @@ fn fit_level(frame: &LightFrame, seen: &[Vec3], scene: Bounds, growth: f32, map_
     let depths = if column.is_empty() { casters } else { column };
     let margin = depth_margin(depths);
     let (min, max) = (Vec3::new(x.0, y.0, depths.min.z - margin), Vec3::new(x.1, y.1, depths.max.z + margin));
-    LightFit { projection: LightProjection::orthographic(&frame, min, max), extent_world: max - min }
+    LightFit {
+        projection: LightProjection::orthographic(&frame, min, max),
+        extent_world: max - min,
+        near: 0.0,
+    }
 }
 
 /// Whether a kept level still does what a fresh one would: it holds the slice and the footprints in it.
@@ -131,4 +135,123 @@ fn serves(old: &LightFit, fresh: &LightFit, seen: &[Vec3], map_size: u32) -> boo
     let (extent, least) = (old.extent_world.truncate(), fresh.extent_world.truncate());
     let is_fine = seen.is_empty() || extent.max_element() <= least.max_element() * KEPT_LOOSENESS;
     is_fine && seen.iter().all(|&p| old.projection.project(p).is_within(margin))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lt_math::LevelSource;
+    use lt_math::glam::UVec2;
+
+    const BOX: Bounds = Bounds { min: Vec3::new(-50.0, 0.0, -80.0), max: Vec3::new(50.0, 20.0, 80.0) };
+    const SUN: Vec3 = Vec3::new(0.4, -1.0, 0.25);
+
+    fn camera(eye: Vec3, forward: Vec3) -> CameraParams {
+        let forward = forward.normalize();
+        let right = forward.cross(Vec3::Y).normalize();
+        CameraParams {
+            eye,
+            forward,
+            right: right * 0.8,
+            up: right.cross(forward) * 0.5,
+            size: UVec2::new(16, 10),
+            ..bytemuck::Zeroable::zeroed()
+        }
+    }
+
+    fn view(camera: &CameraParams) -> View<'_> {
+        View { scene: BOX, camera, direction: SUN, map_size: 512 }
+    }
+
+    /// Points of the box that the camera sees, with their view depths.
+    fn seen(camera: &CameraParams) -> Vec<(Vec3, f32)> {
+        let grid = (0..30 * 12 * 30).map(|i| {
+            let share = Vec3::new((i % 30) as f32, (i / 30 % 12) as f32, (i / 360) as f32)
+                / Vec3::new(29.0, 11.0, 29.0);
+            BOX.min + (BOX.max - BOX.min) * share
+        });
+        let is_seen = |p: &Vec3| {
+            let d = *p - camera.eye;
+            let z = d.dot(camera.forward);
+            let inside = |axis: Vec3| d.dot(axis).abs() < z * axis.length_squared();
+            z > 0.0 && inside(camera.right) && inside(camera.up)
+        };
+        grid.filter(is_seen).map(|p| (p, (p - camera.eye).dot(camera.forward))).collect()
+    }
+
+    fn projections(levels: &Levels) -> Vec<LightProjection> {
+        levels.fits.iter().map(|f| f.projection).collect()
+    }
+
+    #[test]
+    fn what_a_slice_shows_lies_on_its_level_or_a_finer_one() {
+        for (eye, forward) in [
+            (Vec3::new(0.0, 2.0, 70.0), Vec3::new(0.1, -0.05, -1.0)),
+            (Vec3::new(0.0, 300.0, 10.0), Vec3::new(0.01, -1.0, 0.02)),
+            (Vec3::new(-200.0, 40.0, 0.0), Vec3::new(1.0, -0.2, 0.1)),
+        ] {
+            let camera = camera(eye, forward);
+            for cascades in [Cascades::levels(1), Cascades::levels(4), Cascades::TRACED_FAR] {
+                let levels = keep_levels(view(&camera), &cascades, &[]);
+                let bounds = slice_bounds(BOX, eye, &cascades);
+                let projections = projections(&levels);
+                let maps = lt_math::Levels { projections: &projections, count: cascades.maps() };
+                let mut count = 0;
+                for (p, z) in seen(&camera).into_iter().filter(|s| s.1 <= bounds[cascades.maps() as usize]) {
+                    let found = maps.find(p, 512);
+                    let slice =
+                        bounds.windows(2).position(|b| z <= b[1]).expect("the last slice ends behind all");
+                    assert!(found.point.is_inside && found.level as usize <= slice, "{p} at {z}: {found:?}");
+                    count += 1;
+                }
+                assert!(count > 50 || eye.y > 100.0, "{count}");
+            }
+        }
+    }
+
+    #[test]
+    fn all_that_can_shade_a_level_lies_beyond_its_near_plane() {
+        let camera = camera(Vec3::new(0.0, 2.0, 70.0), Vec3::new(0.1, -0.05, -1.0));
+        for fit in fit_levels(view(&camera), &Cascades::levels(4)).fits {
+            for i in 0..40 * 10 * 40 {
+                let share = Vec3::new((i % 40) as f32, (i / 40 % 10) as f32, (i / 400) as f32)
+                    / Vec3::new(39.0, 9.0, 39.0);
+                let point = fit.projection.project(BOX.min + (BOX.max - BOX.min) * share);
+                let is_over =
+                    point.uv.cmpge(Vec3::ZERO.truncate()).all() && point.uv.cmple(Vec3::ONE.truncate()).all();
+                assert!(!is_over || point.is_inside, "{point:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn levels_are_kept_one_by_one() {
+        let at = |x: f32| camera(Vec3::new(x, 2.0, 70.0), Vec3::new(0.1, -0.05, -1.0));
+        let (first, near, far) = (at(0.0), at(3.0), at(25.0));
+        let cascades = Cascades::levels(4);
+        let start = keep_levels(view(&first), &cascades, &[]);
+        assert_eq!(start.draws, [0, 1, 2, 3]);
+        assert!(keep_levels(view(&first), &cascades, &start.fits).draws.is_empty());
+        let after = keep_levels(view(&near), &cascades, &start.fits);
+        assert!(after.draws.contains(&0) && !after.draws.contains(&3), "{:?}", after.draws);
+        for i in 0..4u32 {
+            assert_eq!(after.draws.contains(&i), after.fits[i as usize] != start.fits[i as usize]);
+        }
+        assert!(keep_levels(view(&far), &cascades, &start.fits).draws.len() > after.draws.len());
+    }
+
+    #[test]
+    fn finer_levels_come_first_and_a_slice_past_the_scene_has_no_map() {
+        let camera = camera(Vec3::new(0.0, 2.0, 70.0), Vec3::new(0.0, -0.05, -1.0));
+        let fits = fit_levels(view(&camera), &Cascades::levels(4)).fits;
+        assert!(
+            fits.windows(2).all(
+                |w| w[0].extent_world.x * w[0].extent_world.y < w[1].extent_world.x * w[1].extent_world.y
+            )
+        );
+        let past = Cascades { splits: Splits::Depths([1e5; 15]), ..Cascades::levels(2) };
+        let levels = fit_levels(view(&camera), &past);
+        assert_eq!(levels.draws, [0]);
+        assert!(!levels.fits[1].projection.project(Vec3::ZERO).is_inside);
+    }
 }

@@ -30,6 +30,7 @@ mod error;
 mod frame;
 #[cfg(feature = "gpu")]
 pub mod gpu;
+mod lamp;
 mod levels;
 mod light_fit;
 pub mod metrics;
@@ -41,7 +42,7 @@ mod setup;
 mod technique;
 
 pub use backend::{Backend, BackendKind, DepthMapJob, FrameJob};
-pub use cascades::{Cascades, FarLevel, MAX_LEVELS, Splits};
+pub use cascades::{Cascades, FarLevel, MAX_LEVELS, Splits, parse_count};
 pub use compare::{
     CompareOptions, Comparison, FrameStats, PassTime, PlayOptions, Row, compare, compare_frames, flips,
     quantile,

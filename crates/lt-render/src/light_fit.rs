@@ -8,13 +8,15 @@ use lt_math::{LightFrame, LightProjection};
 use lt_scene::Bounds;
 use lt_shaders::abi::CameraParams;
 
-/// Where a directional map looks.
+/// Where a light's map looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightFit {
     /// World to map.
     pub projection: LightProjection,
-    /// World size of the map along its x and y, and of its depth range.
+    /// World size of the map along its x and y, and of its depth range; of perspective maps at their far end.
     pub extent_world: Vec3,
+    /// Least distance along the axis of a spot or point light that is drawn; 0 for directional lights.
+    pub near: f32,
 }
 
 /// Texels of margin on each side: a footprint at the border still finds its neighbours.
@@ -90,7 +92,11 @@ fn fit_box(frame: &LightFrame, receivers: Bounds, casters: Bounds, map_size: u32
         Vec3::new(MARGIN_TEXELS * texel, MARGIN_TEXELS * texel, ((max.z - min.z) * DEPTH_MARGIN).max(least));
     min -= margin;
     max += margin;
-    LightFit { projection: LightProjection::orthographic(frame, min, max), extent_world: max - min }
+    LightFit {
+        projection: LightProjection::orthographic(frame, min, max),
+        extent_world: max - min,
+        near: 0.0,
+    }
 }
 
 /// A length that is small beside the scene and still survives rounding.

@@ -1,5 +1,8 @@
 //! Which effects a scene, a view and a technique call for: the frame driver runs exactly these.
 
+use lt_scene::LightKind;
+
+use crate::lamp::lamp_maps;
 use crate::{Doubt, FarLevel, MapSource, MapTest, PackStats, PassKind, Removal, Resolve, Technique};
 
 /// One effect, needed or not, with the reason.
@@ -52,8 +55,10 @@ pub struct EffectPlan {
     pub color_textures: bool,
     /// A depth map is drawn, for this test.
     pub map: Option<(MapTest, MapSource)>,
-    /// Maps of the light: levels of a cascade.
+    /// Maps of the light: levels of a cascade, faces of a cube, or one.
     pub levels: u32,
+    /// Lines of sight meet in the light: maps of spot and point lights.
+    pub perspective: bool,
     /// Every pixel looks for its level; off, one map answers all.
     pub level_search: bool,
     /// Doubted pixels are compacted into a list.
@@ -76,13 +81,22 @@ pub struct EffectPlan {
 
 impl EffectPlan {
     /// Inspects the input.
-    pub fn for_scene(s: &PackStats, technique: &Technique, map_size: u32, sequence: Sequence) -> Self {
+    pub fn for_scene(
+        s: &PackStats,
+        light: &LightKind,
+        technique: &Technique,
+        map_size: u32,
+        sequence: Sequence,
+    ) -> Self {
         let map = technique.map_test();
         let doubt_list = technique.doubt == Doubt::Ltt && technique.resolve.is_exact();
         let trace_all = technique.doubt == Doubt::Always;
         let size = technique.map_size.unwrap_or(map_size);
         let is_prefiltered = matches!(map, Some((_, MapSource::Prefiltered)));
-        let levels = if map.is_some() { technique.cascades.maps() } else { 0 };
+        let lamp = lamp_maps(light);
+        let maps = lamp.unwrap_or(technique.cascades.maps());
+        let levels = if map.is_some() { maps } else { 0 };
+        let has_cascades = lamp.is_none() && technique.cascades.count > 1;
         let map_bytes = u64::from(levels) * u64::from(size) * u64::from(size);
         let mut plan = Self {
             alpha_test: s.masked_triangles > 0,
@@ -90,7 +104,8 @@ impl EffectPlan {
             color_textures: s.color_texel_bytes > 0,
             map,
             levels,
-            level_search: technique.cascades.count > 1,
+            perspective: lamp.is_some(),
+            level_search: lamp.is_some() || has_cascades,
             doubt_list,
             trace_all,
             resolve: technique.resolve,
@@ -138,13 +153,24 @@ impl EffectPlan {
         );
         list(
             "cascades",
-            technique.cascades.count > 1,
+            has_cascades,
             match (technique.cascades.count, technique.cascades.far) {
+                _ if lamp.is_some() => "the light is not a directional one".to_owned(),
                 (1, _) => "one map for all that the camera sees".to_owned(),
                 (n, FarLevel::Map) => format!("{n} levels, each with a map"),
                 (n, FarLevel::Rays) => format!("{n} levels, the last one traced"),
             },
             "1 binding, a projection a level and pixel, a map a level".to_owned(),
+        );
+        list(
+            "perspective maps",
+            lamp.is_some() && map.is_some(),
+            match lamp {
+                None => "the light is directional".to_owned(),
+                Some(1) => "a spot light: one map".to_owned(),
+                Some(n) => format!("light goes all ways: the {n} faces of a cube"),
+            },
+            "a fragment stage for depths, 1 binding, a projection a map and pixel".to_owned(),
         );
         list(
             "pre-filter",

@@ -15,6 +15,7 @@ use crate::{
     RenderError, Sequence, Setup, Technique,
     cpu::CpuBackend,
     fit_directional,
+    lamp::{lamp_levels, light_params},
     levels::{Levels, View, fit_levels, keep_levels},
     light_fit::fit_kept,
 };
@@ -100,8 +101,13 @@ impl Session {
         let summary = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
         let camera = camera_params(&setup, packed.root());
         let mut backend = make_backend(packed, backend)?;
-        let plan =
-            EffectPlan::for_scene(&summary.stats, &Technique::RAY, setup.map_size, Sequence::default());
+        let plan = EffectPlan::for_scene(
+            &summary.stats,
+            &setup.light.kind,
+            &Technique::RAY,
+            setup.map_size,
+            Sequence::default(),
+        );
         let camera_ms = backend.camera(&camera, &plan)?;
         let samples = backend.samples()?;
         let info = SceneInfo { stats: summary.stats, build_ms, camera_ms };
@@ -194,10 +200,16 @@ impl Session {
 
     /// The effects a technique calls for here.
     pub fn plan(&self, technique: &Technique) -> EffectPlan {
-        EffectPlan::for_scene(&self.scene.stats, technique, self.setup.map_size, self.sequence)
+        EffectPlan::for_scene(
+            &self.scene.stats,
+            &self.setup.light.kind,
+            technique,
+            self.setup.map_size,
+            self.sequence,
+        )
     }
 
-    /// Where the light's map of this many texels a side looks.
+    /// Where a directional light's one map of this many texels a side looks.
     pub fn light_fit(&self, map_size: u32) -> LightFit {
         fit_directional(self.scene.bounds, &self.camera, sun_direction(&self.setup), map_size)
     }
@@ -240,10 +252,24 @@ impl Session {
             if self.scene.bounds.is_empty() { 0.0 } else { HAZE / size.length().max(f32::MIN_POSITIVE) };
         let params = ShadeParams {
             camera: self.camera,
-            light: homogeneous_light(&self.setup),
-            light_color: (light.color * SUN_STRENGTH).extend(haze),
+            light: light_params(&self.setup.light),
+            light_color: (light.color * SUN_STRENGTH * self.brightness()).extend(haze),
         };
         self.backend.shade(&frame.visibility, &frame.tint, &params)
+    }
+
+    /// Strength at distance 1 with which a spot or point light brings a sun's light to half of what is seen; 1 for a sun.
+    fn brightness(&self) -> f32 {
+        let (LightKind::Point { position, .. } | LightKind::Spot { position, .. }) = self.setup.light.kind
+        else {
+            return 1.0;
+        };
+        let squared = self
+            .samples
+            .iter()
+            .filter(|s| s.is_valid())
+            .map(|s| f64::from(s.position.distance_squared(position)));
+        crate::quantile(squared.collect(), 0.5) as f32
     }
 
     /// What the passes of a technique need in its next frame, for callers that record them themselves. They keep slots: the
@@ -275,18 +301,23 @@ impl Session {
         let test = technique.map_test().map_or(Vec4::ZERO, |(test, _)| test_params(test));
         let shadow = ShadowParams {
             projection,
-            light: homogeneous_light(&self.setup),
+            light: light_params(&self.setup.light),
             test,
             size: self.setup.size,
             map_size,
             epsilon: technique.epsilon,
             root: self.scene.root,
             level_count: levels.fits.len() as u32,
-            fade_uv: technique.cascades.fade,
             pad0: 0,
+            pad1: 0,
         };
-        let depth_params =
-            |fit: &LightFit| DepthParams { projection: fit.projection, map_size, pad0: 0, pad1: 0, pad2: 0 };
+        let depth_params = |fit: &LightFit| DepthParams {
+            projection: fit.projection,
+            map_size,
+            near: fit.near,
+            pad0: 0,
+            pad1: 0,
+        };
         let map = technique.map_test().map(|_| DepthMapJob {
             levels: levels.fits.iter().map(depth_params).collect(),
             draws: levels.draws,
@@ -311,6 +342,9 @@ impl Session {
         let (scene, camera, direction) = (self.scene.bounds, &self.camera, sun_direction(&self.setup));
         if plan.map.is_none() {
             return Levels { fits: Vec::new(), draws: Vec::new() };
+        }
+        if plan.perspective {
+            return lamp_levels(&self.setup.light.kind, scene, map_size, kept);
         }
         if technique.cascades.count > 1 {
             let view = View { scene, camera, direction, map_size };
@@ -359,7 +393,7 @@ impl Session {
         MaskParams {
             current: self.camera,
             previous: last.map_or(self.camera, |l| l.camera),
-            light: homogeneous_light(&self.setup),
+            light: light_params(&self.setup.light),
             frame: slot.frame,
             still_pattern: mask.pattern.to_index(),
             moving_pattern: mask.moving_pattern_for(self.scene.stats.masked_triangles > 0).to_index(),
@@ -401,13 +435,6 @@ fn sun_direction(setup: &Setup) -> Vec3 {
     }
 }
 
-fn homogeneous_light(setup: &Setup) -> Vec4 {
-    match setup.light.kind {
-        LightKind::Directional { direction } => (-direction.normalize()).extend(0.0),
-        LightKind::Point { position, .. } | LightKind::Spot { position, .. } => position.extend(1.0),
-    }
-}
-
 /// The camera's frame; any direction works, straight up and down too.
 pub(crate) fn camera_params(setup: &Setup, root: u32) -> CameraParams {
     let c = &setup.camera;
@@ -427,5 +454,54 @@ pub(crate) fn camera_params(setup: &Setup, root: u32) -> CameraParams {
         pad2: 0,
         size: setup.size,
         pad3: UVec2::ZERO,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lt_scene::Source;
+
+    /// A level that is drawn anew sees other parts of thin things, and decides otherwise; what rays found must survive it.
+    #[test]
+    fn a_still_view_stays_right_while_levels_are_drawn_anew() {
+        for place in ["street:6", "square:8", "forest:20"] {
+            let scene = Source::open(place, 1).and_then(|s| s.pose(0.0)).expect("a place");
+            let setup = Setup { map_size: 256, ..Setup::for_scene(&scene, 240, 136) };
+            let mut session = Session::new(&scene, setup, BackendKind::Cpu).expect("session");
+            session.play(Sequence { is_played: true, ..Sequence::default() });
+            let truth = session.render(&Technique::RAY).expect("frame");
+            let technique: Technique = "lt-evsm".parse().expect("an id");
+            for i in 0..10usize {
+                let frame = match i % 3 {
+                    2 => render_shifted(&mut session, &technique, i / 3),
+                    _ => session.render(&technique).expect("frame"),
+                };
+                let wrong = truth.visibility.iter().zip(&frame.visibility).filter(|(t, v)| t != v).count();
+                assert_eq!(wrong, 0, "{place} frame {i}");
+                assert_eq!(frame.map_draws, [3, 0, 1, 0, 0, 1, 0, 0, 1, 0][i], "{place} frame {i}");
+            }
+        }
+    }
+
+    /// The next frame, in which one level is fitted half a texel off where it was.
+    fn render_shifted(session: &mut Session, technique: &Technique, level: usize) -> Frame {
+        let (mut job, mut slot) = session.next_job(technique, session.plan(technique));
+        let shift = |projection: &mut lt_math::LightProjection| {
+            projection.row_x.w += 0.5 / 256.0;
+            projection.row_y.w -= 0.5 / 256.0;
+        };
+        let map = job.map.as_mut().expect("maps");
+        shift(&mut map.levels[level].projection);
+        map.draws = vec![level as u32];
+        shift(&mut slot.last.as_mut().expect("a last frame").levels.0[level].projection);
+        // As for any level that is drawn anew.
+        job.mask.as_mut().expect("a mask").flags &= !MaskParams::MAY_REMOVE;
+        session.backend.begin(&job).expect("frame");
+        for kind in job.passes() {
+            session.backend.pass(kind, &job).expect("pass");
+        }
+        session.slots.insert(technique.to_string(), slot);
+        session.backend.finish(&job).expect("frame")
     }
 }

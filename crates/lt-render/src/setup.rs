@@ -12,7 +12,7 @@ pub struct Setup {
     pub size: UVec2,
     /// Who looks.
     pub camera: Camera,
-    /// What shines. This version draws maps for directional lights only.
+    /// What shines.
     pub light: Light,
     /// Default map resolution, a multiple of 64.
     pub map_size: u32,
@@ -26,11 +26,13 @@ const DEFAULT_MAP_SIZE: u32 = 2048;
 const DEFAULT_SUN: Vec3 = Vec3::new(-0.5, -1.0, -0.35);
 
 impl Setup {
-    /// The scene's first camera (else one that frames its bounds) and first directional light (else a default sun).
+    /// The scene's first camera (else one that frames its bounds) and first directional light (else its first light, else a
+    /// default sun).
     pub fn for_scene(scene: &Scene, width: u32, height: u32) -> Self {
         let camera = scene.cameras.first().cloned().unwrap_or_else(|| framing_camera(scene));
         let is_sun = |l: &&Light| matches!(l.kind, LightKind::Directional { .. });
-        let light = scene.lights.iter().find(is_sun).cloned().unwrap_or_else(|| Light::sun(DEFAULT_SUN));
+        let light = scene.lights.iter().find(is_sun).or(scene.lights.first());
+        let light = light.cloned().unwrap_or_else(|| Light::sun(DEFAULT_SUN));
         Self {
             size: UVec2::new(width, height),
             camera,
@@ -72,9 +74,32 @@ impl Setup {
             LightKind::Directional { direction } => {
                 bad(format!("light direction {direction}: must be finite and not zero"))
             }
-            _ => bad(format!("light `{}`: this version draws directional lights only", self.light.name)),
+            LightKind::Point { position, range } => check_lamp(position, range),
+            LightKind::Spot { position, direction, inner_cone_rad, outer_cone_rad, range } => {
+                if !(direction.is_finite() && direction.length() > 0.0) {
+                    return bad(format!("light direction {direction}: must be finite and not zero"));
+                }
+                let right_angle = std::f32::consts::FRAC_PI_2;
+                let is_ordered = inner_cone_rad >= 0.0 && inner_cone_rad <= outer_cone_rad;
+                let is_open = outer_cone_rad > 0.0 && outer_cone_rad < right_angle;
+                if !(is_ordered && is_open) {
+                    return bad(format!(
+                        "cone of {inner_cone_rad} to {outer_cone_rad} rad: must be 0 ≤ inner ≤ outer < π/2"
+                    ));
+                }
+                check_lamp(position, range)
+            }
         }
     }
+}
+
+fn check_lamp(position: Vec3, range: f32) -> Result<(), RenderError> {
+    if position.is_finite() && range > 0.0 {
+        return Ok(());
+    }
+    Err(RenderError::BadSetup(format!(
+        "light at {position} of range {range}: the place must be finite, the range above 0"
+    )))
 }
 
 fn framing_camera(scene: &Scene) -> Camera {

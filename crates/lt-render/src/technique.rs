@@ -239,7 +239,7 @@ impl Technique {
             mask: None,
             resolve: Resolve::Ray,
             reuse: true,
-            cascades: Cascades::ONE,
+            cascades: Cascades::TRACED_FAR,
             epsilon: LTT_EPSILON,
             map_size: None,
         }
@@ -279,7 +279,7 @@ impl Technique {
     }
 
     /// The modifiers an id may carry, with a line each.
-    pub fn modifiers() -> [(&'static str, &'static str); 19] {
+    pub fn modifiers() -> [(&'static str, &'static str); 18] {
         [
             ("prefiltered", "blur a map of depth vectors instead of gathering plain depths"),
             ("eps=X", "LTT's ε, 0 < X < 0.5 (default 0.01)"),
@@ -294,11 +294,16 @@ impl Technique {
                 "ltt-, lt-, and a technique by itself: the same by drawing triangles at the points, nothing kept (CPU)",
             ),
             ("map=N", "map resolution, a multiple of 64 up to 16384"),
-            ("cascades=N", "levels of a directional light's map, 1 to 16"),
+            (
+                "cascades=N",
+                "levels of a directional light's map, 1 to 16 (default: ltt- and lt- 4, others 1)",
+            ),
             ("lambda=X", "share of logarithmic against linear splits, 0 to 1 (default 0.85)"),
             ("splits=A/B/…", "view depths where levels meet, instead of cascades= and lambda="),
-            ("far=map|ray", "what answers in the last level: a map, or rays for all of it"),
-            ("fade=X", "maps without doubt: fade to light over this share of the last level's width"),
+            (
+                "far=map|ray",
+                "what answers in the last level: a map, or rays for all of it (default: ltt- and lt- ray)",
+            ),
             ("no-reuse", "over several frames: draw the map every frame instead of keeping it while it fits"),
             ("no-rr", "lt-: remove no rays"),
             ("no-er", "lt-: expand no rays"),
@@ -322,6 +327,11 @@ impl Technique {
             ),
             ("no-depth-test", "lt-: without it"),
         ]
+    }
+
+    /// The cascades of its base.
+    fn usual_cascades(&self) -> Cascades {
+        if self.doubt == Doubt::Ltt { Cascades::TRACED_FAR } else { Cascades::ONE }
     }
 
     /// Its map test, if it draws a map.
@@ -354,7 +364,7 @@ impl fmt::Display for Technique {
                 if !self.reuse {
                     write!(f, ":no-reuse")?;
                 }
-                self.cascades.write(&Cascades::ONE, f)?;
+                self.cascades.write(&self.usual_cascades(), f)?;
             }
         }
         match self.resolve.modifier() {
@@ -496,11 +506,8 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
             technique.map_size = Some(parse_map_size(value)?);
         }
         "map" => return Err("`map` needs a technique that draws a map".into()),
-        "cascades" | "lambda" | "splits" | "far" | "fade" if technique.estimate == Estimate::None => {
+        "cascades" | "lambda" | "splits" | "far" if technique.estimate == Estimate::None => {
             return Err(format!("`{key}` needs a technique that draws a map"));
-        }
-        "fade" if technique.doubt != Doubt::Never => {
-            return Err("`fade` needs a map alone, such as evsm: a doubted edge is traced".into());
         }
         "no-reuse" if technique.estimate != Estimate::None => technique.reuse = false,
         "no-reuse" => return Err("`no-reuse` needs a technique that draws a map".into()),
@@ -565,9 +572,10 @@ mod tests {
             "sm:no-reuse:map=512",
             "lt-evsm:no-rr:pattern=3x3:moving=5x5:depth-test",
             "lt-msm:prefiltered:no-er:pattern=plus:no-depth-test:no-reuse:eps=0.02",
-            "lt-evsm:cascades=4:lambda=0.5:far=ray",
-            "ltt-vsm:splits=5/20/60.5:far=ray",
-            "sm:cascades=3:fade=0.1:map=512",
+            "lt-evsm:cascades=6:lambda=0.5:far=map",
+            "ltt-vsm:splits=5/20/60.5",
+            "ltt-evsm:cascades=1",
+            "sm:cascades=3:map=512",
             "lt-esm:published",
             "ray:light",
             "ray:dac",
@@ -599,9 +607,8 @@ mod tests {
             "sm:cascades=0",
             "sm:cascades=17",
             "sm:cascades=2:far=ray",
-            "ltt-evsm:far=ray",
+            "ltt-evsm:cascades=1:far=ray",
             "ltt-evsm:cascades=2:far=sky",
-            "ltt-evsm:fade=0.1",
             "sm:splits=5/5",
             "sm:splits=0",
             "sm:splits=1/x",

@@ -61,15 +61,49 @@ pub struct CameraParams {
     pub pad3: UVec2,
 }
 
+/// A light as kernels see it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct LightParams {
+    /// Homogeneous place: `xyz` with `w = 0` is the unit direction *to* a directional light, with `w = 1` the position
+    /// of a point or spot light. The vector from p to the light is `xyz − w·p` either way.
+    pub place: Vec4,
+    /// Unit axis of a spot light's cone, the way its light travels; zero for other lights.
+    pub axis: Vec3,
+    /// Cosine of the half-angle past which a spot light does not shine; −1 for other lights.
+    pub cos_outer: f32,
+    /// Distance past which a point or spot light does not shine, squared; huge if unlimited.
+    pub range_squared: f32,
+    /// Cosine of the half-angle up to which a spot light shines fully; −1 for other lights. For shading.
+    pub cos_inner: f32,
+    /// Explicit padding.
+    pub pad: UVec2,
+}
+
+impl LightParams {
+    /// A directional light.
+    ///
+    /// `to_light` is the unit direction to it.
+    pub const fn directional(to_light: Vec3) -> Self {
+        Self {
+            place: Vec4::new(to_light.x, to_light.y, to_light.z, 0.0),
+            axis: Vec3::ZERO,
+            cos_outer: -1.0,
+            range_squared: 3.0e38,
+            cos_inner: -1.0,
+            pad: UVec2::ZERO,
+        }
+    }
+}
+
 /// The light, the map and the test, as the evaluate and resolve passes want them.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct ShadowParams {
     /// World to light map; variants with levels read a list of projections instead.
     pub projection: LightProjection,
-    /// Homogeneous light: `xyz` with `w = 0` is the unit direction *to* a directional light, with `w = 1` the position
-    /// of a point or spot light. The vector from p to the light is `xyz − w·p` either way.
-    pub light: Vec4,
+    /// The light.
+    pub light: LightParams,
     /// Parameters of the shadow test, in the order its kernel documents.
     pub test: Vec4,
     /// Picture size in pixels.
@@ -82,11 +116,10 @@ pub struct ShadowParams {
     pub root: u32,
     /// Levels of the light's map (cascades); read by variants with levels only.
     pub level_count: u32,
-    /// Width of the last level's border over which an estimate without doubt fades to light, in uv; 0 for none. Read by
-    /// variants with levels only.
-    pub fade_uv: f32,
-    /// Explicit padding: a scalar, because uniform arrays would need a stride of 16.
+    /// Explicit padding: scalars, because uniform arrays would need a stride of 16.
     pub pad0: u32,
+    /// Explicit padding.
+    pub pad1: u32,
 }
 
 /// Vertex attributes, indexed by `lt_bvh::Triangle::i0…i2`.
@@ -163,8 +196,8 @@ pub struct MaskParams {
     pub current: CameraParams,
     /// The camera of the frame that the history is of.
     pub previous: CameraParams,
-    /// See [`ShadowParams::light`].
-    pub light: Vec4,
+    /// The light.
+    pub light: LightParams,
     /// Counts frames; steers the patterns that change over time.
     pub frame: u32,
     /// Number of the pattern where pixels stand still (`lt_mask::Pattern`).
@@ -198,9 +231,9 @@ impl MaskParams {
 pub struct ShadeParams {
     /// Camera, for the sky behind.
     pub camera: CameraParams,
-    /// See [`ShadowParams::light`].
-    pub light: Vec4,
-    /// Linear RGB of the light; `w` unused.
+    /// The light.
+    pub light: LightParams,
+    /// Linear RGB of the light (at distance 1 from a point or spot light); `w` is the haze at distance 1.
     pub light_color: Vec4,
 }
 
@@ -212,12 +245,12 @@ pub struct DepthParams {
     pub projection: LightProjection,
     /// Map size in texels (square).
     pub map_size: u32,
+    /// Least distance along the axis of a spot or point light that is drawn; 0 for directional lights.
+    pub near: f32,
     /// Explicit padding: a scalar, because uniform arrays would need a stride of 16.
     pub pad0: u32,
     /// Explicit padding.
     pub pad1: u32,
-    /// Explicit padding.
-    pub pad2: u32,
 }
 
 /// One separable blur pass over a map of depth vectors.
@@ -237,11 +270,12 @@ pub struct FilterParams {
 const _: () = {
     assert!(size_of::<Sample>() == 48);
     assert!(size_of::<CameraParams>() == 80);
-    assert!(size_of::<ShadowParams>() == 128);
+    assert!(size_of::<LightParams>() == 48);
+    assert!(size_of::<ShadowParams>() == 160);
     assert!(size_of::<Vertex>() == 20);
     assert!(size_of::<Material>() == 48);
-    assert!(size_of::<MaskParams>() == 208);
-    assert!(size_of::<ShadeParams>() == 112);
+    assert!(size_of::<MaskParams>() == 240);
+    assert!(size_of::<ShadeParams>() == 144);
     assert!(size_of::<DepthParams>() == 80);
     assert!(size_of::<FilterParams>() == 32);
 };

@@ -6,7 +6,7 @@ use lt_math::{
     Pcf, ShadowTest, Sm, Vsm, bilinear_footprint, needs_ray,
 };
 
-use crate::abi::{Sample, ShadowParams};
+use crate::abi::{LightParams, Sample, ShadowParams};
 
 /// Estimate and doubt of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,21 +27,33 @@ impl Verdict {
     const LIT: Self = Self { visibility: 1.0, is_doubted: false };
 }
 
-/// Unnormalised vector from a point to the light; see [`ShadowParams::light`].
+/// Unnormalised vector from a point to the light; see [`LightParams::place`].
 #[inline]
-pub fn to_light(position: Vec3, light: Vec4) -> Vec3 {
-    light.truncate() - position * light.w
+pub fn to_light(position: Vec3, light: &LightParams) -> Vec3 {
+    light.place.truncate() - position * light.place.w
 }
 
-/// What needs neither map nor ray: nothing visible or facing away is blocked, and what receives no shadow is lit.
+/// Whether a light shines towards a point at all, `to_light` away from it: within its range and its cone. The edge of
+/// either counts as inside.
+#[inline]
+pub fn reaches(to_light: Vec3, light: &LightParams) -> bool {
+    let squared = to_light.dot(to_light);
+    let along = -to_light.dot(light.axis);
+    light.place.w == 0.0
+        || (squared <= light.range_squared && along >= light.cos_outer * lt_math::float::sqrt(squared))
+}
+
+/// What needs neither map nor ray: nothing visible, facing away or out of the light's reach is blocked, and what receives
+/// no shadow is lit.
 /// The last field says whether a pixel is settled so.
 #[inline]
-pub fn settle(sample: &Sample, light: Vec4) -> (Verdict, bool) {
+pub fn settle(sample: &Sample, light: &LightParams) -> (Verdict, bool) {
     if !sample.is_valid() {
         return (Verdict::BLOCKED, true);
     }
-    let faces = sample.normal.dot(to_light(sample.position, light)) > 0.0;
-    if !faces {
+    let to_light = to_light(sample.position, light);
+    let faces = sample.normal.dot(to_light) > 0.0;
+    if !faces || !reaches(to_light, light) {
         return (Verdict::BLOCKED, true);
     }
     (Verdict::LIT, sample.flags & Sample::RECEIVES == 0)
@@ -210,6 +222,10 @@ pub fn plane_slope(projection: &LightProjection, normal: Vec3, map_size: u32) ->
 /// Cap of the receiver-plane bias, light depth: beyond it a shadow would detach visibly.
 const MAX_SLOPE: f32 = 0.002;
 
+/// The same for perspective maps, times their size: they are about as deep as wide at their far end, so that the slope of a
+/// surface seen at 83° is 16 texels' share of the depth.
+const MAX_SLOPE_AT: f32 = 16.0;
+
 /// The leak tracing test on a map's answer: trusted answers are snapped, sure light to 1, sure shadow to 0.
 #[inline]
 pub fn doubt(visibility: f32, epsilon: f32) -> Verdict {
@@ -239,7 +255,8 @@ pub fn plane_slope_at(
     let (across_v, across_u) = (v.cross(sample.normal), u.cross(sample.normal));
     let per = |step: Vec3, axis: Vec3| (depth.dot(step) / axis.dot(step)).abs();
     let slope = (per(across_v, u) + per(across_u, v)) / map_size as f32;
-    if slope < MAX_SLOPE { slope } else { MAX_SLOPE }
+    let cap = MAX_SLOPE_AT / map_size as f32;
+    if slope < cap { slope } else { cap }
 }
 
 /// Estimate and doubt of one pixel by the one map of a directional light; with `LTT` off nothing is ever doubted.
@@ -261,7 +278,7 @@ pub fn evaluate_levels<T: TestFromParams, M: MapSource, L: LevelSource, const LT
     map: M,
     levels: L,
 ) -> Verdict {
-    let (verdict, is_settled) = settle(sample, p.light);
+    let (verdict, is_settled) = settle(sample, &p.light);
     if is_settled {
         return verdict;
     }
@@ -286,16 +303,5 @@ pub fn evaluate_levels<T: TestFromParams, M: MapSource, L: LevelSource, const LT
     if LTT {
         return doubt(visibility, p.epsilon);
     }
-    if L::MAY_BE_PERSPECTIVE && p.fade_uv > 0.0 && levels.is_last(found.level) {
-        return Verdict { visibility: faded(visibility, point.uv, p.fade_uv), is_doubted: false };
-    }
     Verdict { visibility, is_doubted: false }
-}
-
-/// A visibility that goes over to light towards the edge of a map, over a border this wide.
-#[inline]
-fn faded(visibility: f32, uv: Vec2, fade_uv: f32) -> f32 {
-    let lesser = |a: f32, b: f32| if a < b { a } else { b };
-    let to_edge = lesser(lesser(uv.x, 1.0 - uv.x), lesser(uv.y, 1.0 - uv.y));
-    if to_edge < fade_uv { 1.0 - (1.0 - visibility) * (to_edge / fade_uv) } else { visibility }
 }

@@ -11,14 +11,14 @@
 //!
 //! ```
 //! use lt_math::{Vsm, glam::{Vec3, Vec4}, LightFrame, LightProjection};
-//! use lt_shaders::{abi::{Sample, ShadowParams}, evaluate::{GatheredDepths, evaluate}};
+//! use lt_shaders::{abi::{LightParams, Sample, ShadowParams}, evaluate::{GatheredDepths, evaluate}};
 //!
 //! // A sun from above, a map of 64² texels that saw a caster at depth 0.25 everywhere.
 //! let frame = LightFrame::from_direction(Vec3::NEG_Y);
 //! let projection = LightProjection::orthographic(&frame, Vec3::splat(-1.0), Vec3::splat(1.0));
 //! let params = ShadowParams {
-//!     projection, light: Vec4::Y, test: Vec4::new(1e-6, 0.0, 0.0, 0.0), size: [1, 1].into(),
-//!     map_size: 64, epsilon: 0.01, root: 0, level_count: 1, fade_uv: 0.0, pad0: 0,
+//!     projection, light: LightParams::directional(Vec3::Y), test: Vec4::new(1e-6, 0.0, 0.0, 0.0), size: [1, 1].into(),
+//!     map_size: 64, epsilon: 0.01, root: 0, level_count: 1, pad0: 0, pad1: 0,
 //! };
 //! let floor = Sample { position: Vec3::ZERO, normal: Vec3::Y, flags: Sample::RECEIVES, ..Sample::default() };
 //! let depths = vec![0.25; 64 * 64];

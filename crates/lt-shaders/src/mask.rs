@@ -164,7 +164,7 @@ pub fn mask<
     p: &MaskParams,
     history: H,
 ) -> Masked {
-    let (verdict, is_settled) = settle(sample, p.light);
+    let (verdict, is_settled) = settle(sample, &p.light);
     if is_settled {
         return Masked { visibility: verdict.visibility, needs_ray: false, bits: MaskBits::FACING_AWAY };
     }
@@ -203,7 +203,7 @@ pub fn mask<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lt_math::glam::Vec4;
+    use crate::abi::LightParams;
 
     const SIZE: UVec2 = UVec2::new(4, 3);
 
@@ -226,7 +226,7 @@ mod tests {
         MaskParams {
             current: camera(Vec3::ZERO),
             previous: camera(previous_eye),
-            light: Vec4::new(0.0, 0.0, 1.0, 0.0),
+            light: LightParams::directional(Vec3::Z),
             frame: 0,
             still_pattern: Pattern::FULL_3X3.to_index(),
             moving_pattern: Pattern::FULL_3X3.to_index(),
@@ -333,7 +333,7 @@ mod tests {
 
     #[test]
     fn surfaces_that_face_away_need_nothing() {
-        let p = MaskParams { light: Vec4::new(0.0, 0.0, -1.0, 0.0), ..params(Vec3::ZERO) };
+        let p = MaskParams { light: LightParams::directional(Vec3::NEG_Z), ..params(Vec3::ZERO) };
         let masked = decide::<false, false>(AT, 0.3, &p, &[7; 12], &[]);
         assert_eq!((masked.needs_ray, masked.visibility, masked.bits), (false, 0.0, MaskBits::BLACK));
     }

@@ -1,20 +1,25 @@
 //! The resolve pass: a shadow ray from a visible sample to the light. The tint pass: what translucent casters leave of it.
 
 use lt_bvh::{AnyHit, Node, Ray, offset_origin, transmitted};
-use lt_math::glam::{Vec3, Vec4};
+use lt_math::glam::Vec3;
 
-use crate::{abi::Sample, evaluate::settle, geometry::Geometry, surface::Translucence};
+use crate::{
+    abi::{LightParams, Sample},
+    evaluate::settle,
+    geometry::Geometry,
+    surface::Translucence,
+};
 
 /// The ray from just above a sample to the light: t runs to 1 at a point light, without end to a directional one.
 #[inline]
-pub fn shadow_ray(sample: &Sample, light: Vec4) -> Ray {
-    Ray::to_light(offset_origin(sample.position, sample.normal, sample.magnitude), light)
+pub fn shadow_ray(sample: &Sample, light: &LightParams) -> Ray {
+    Ray::to_light(offset_origin(sample.position, sample.normal, sample.magnitude), light.place)
 }
 
 /// The truth about one light-facing sample: 1 if the light is seen, 0 if it is blocked.
 pub fn trace_visibility<G: Geometry, A: AnyHit>(
     sample: &Sample,
-    light: Vec4,
+    light: &LightParams,
     geometry: G,
     any_hit: A,
 ) -> f32 {
@@ -23,7 +28,7 @@ pub fn trace_visibility<G: Geometry, A: AnyHit>(
 
 /// Whether translucent casters may tint the light that reaches a sample: some does, and shadows fall on it.
 #[inline]
-pub fn may_be_tinted(sample: &Sample, light: Vec4, visibility: f32) -> bool {
+pub fn may_be_tinted(sample: &Sample, light: &LightParams, visibility: f32) -> bool {
     visibility > 0.0 && !settle(sample, light).1
 }
 
@@ -31,7 +36,7 @@ pub fn may_be_tinted(sample: &Sample, light: Vec4, visibility: f32) -> bool {
 /// could tint it. `nodes` is a tree of translucent casters alone.
 pub fn trace_tint(
     sample: &Sample,
-    light: Vec4,
+    light: &LightParams,
     visibility: f32,
     nodes: &[Node],
     casters: Translucence<'_>,

@@ -3,8 +3,9 @@
 use lt_math::glam::{UVec2, Vec3};
 
 use crate::{
-    abi::{Sample, ShadeParams},
+    abi::{LightParams, Sample, ShadeParams},
     camera::view_direction,
+    evaluate::to_light,
 };
 
 /// Sky at the horizon and at the zenith, linear RGB.
@@ -24,9 +25,10 @@ pub fn shade(px: UVec2, sample: &Sample, reaching: Vec3, p: &ShadeParams) -> u32
         return pack_srgb(sky(view));
     }
     let n = sample.shading_normal;
-    let to_light = (p.light.truncate() - sample.position * p.light.w).normalize();
-    let facing = n.dot(to_light);
-    let sun = if facing > 0.0 { p.light_color.truncate() * (reaching * facing) } else { Vec3::ZERO };
+    let to_light = to_light(sample.position, &p.light);
+    let facing = n.dot(to_light.normalize());
+    let strength = if facing > 0.0 { facing * falloff(to_light, &p.light) } else { 0.0 };
+    let sun = if strength > 0.0 { p.light_color.truncate() * (reaching * strength) } else { Vec3::ZERO };
     let up = 0.5 + 0.5 * n.y;
     let ambient = (HORIZON.lerp(ZENITH, 0.4) * up + BOUNCE * (1.0 - up)) * SKY_STRENGTH;
     // A little form in the shade: surfaces seen edge-on receive less sky.
@@ -35,6 +37,20 @@ pub fn shade(px: UVec2, sample: &Sample, reaching: Vec3, p: &ShadeParams) -> u32
     let distance = (sample.position - p.camera.eye).length();
     let haze = 1.0 - 1.0 / (1.0 + distance * p.light_color.w);
     pack_srgb(lit.lerp(HORIZON, haze))
+}
+
+/// Share of a light's strength that arrives from `to_light` away: 1 from directional lights, 1 / distance² within a spot
+/// light's inner cone, less towards its outer one.
+#[inline]
+fn falloff(to_light: Vec3, light: &LightParams) -> f32 {
+    if light.place.w == 0.0 {
+        return 1.0;
+    }
+    let squared = to_light.dot(to_light);
+    let cosine = -to_light.dot(light.axis) / sqrt(squared);
+    let width = light.cos_inner - light.cos_outer;
+    let cone = if width > 0.0 { unit((cosine - light.cos_outer) / width) } else { 1.0 };
+    cone * cone / squared
 }
 
 #[inline]

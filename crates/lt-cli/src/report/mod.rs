@@ -18,7 +18,7 @@ use crate::{
     numbers::{decimals, factor, grouped, ms, ppm},
     play::Playback,
     results::frontier_of,
-    summary::Summary,
+    summary::{Summary, View},
 };
 
 use effects::EffectTable;
@@ -96,7 +96,6 @@ impl Report {
 }
 
 fn facts(summary: &Summary, comparison: &Comparison) -> Vec<(&'static str, String)> {
-    let vector = |v: [f32; 3]| v.map(|x| format!("{x:.3}")).join(", ");
     let view = &summary.view;
     vec![
         ("Scene", summary.scene.clone()),
@@ -115,12 +114,25 @@ fn facts(summary: &Summary, comparison: &Comparison) -> Vec<(&'static str, Strin
         ("Visible samples", format!("{} ms, shared by all techniques", ms(summary.camera_ms))),
         ("Shadow map", format!("{0} × {0} unless a technique says otherwise", summary.map_size)),
         ("Camera", format!("from {} to {}, {:.1}°", vector(view.eye), vector(view.target), view.fov_deg)),
-        (
-            "Light",
-            view.light_dir.map_or("no single direction".into(), |d| format!("travels along {}", vector(d))),
-        ),
+        ("Light", light_words(view)),
         ("Version", format!("lt {}", summary.version)),
     ]
+}
+
+fn vector(v: [f32; 3]) -> String {
+    v.map(|x| format!("{x:.3}")).join(", ")
+}
+
+fn light_words(view: &View) -> String {
+    let ways = match (view.light_dir, view.cone_deg) {
+        (Some(d), Some(cone)) => format!("along {} in a cone of {cone:.1}°", vector(d)),
+        (Some(d), None) => format!("along {}", vector(d)),
+        (None, _) => "all ways".to_owned(),
+    };
+    match view.light_pos {
+        Some(from) => format!("travels from {} {ways}", vector(from)),
+        None => format!("travels {ways}"),
+    }
 }
 
 fn report_row(row: &Row, is_best: bool) -> ReportRow {

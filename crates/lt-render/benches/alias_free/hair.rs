@@ -36,7 +36,7 @@ pub fn measure(hairs: u32, options: &Options) -> Outcome<Row> {
     let scene = Source::open(&format!("strands:{hairs}"), 1)?.pose(0.0)?;
     let session = Session::new(&scene, Setup::for_scene(&scene, SIZE.x, SIZE.y), BackendKind::Cpu)?;
     let light = session.job(&Technique::RAY).shadow.light;
-    let rays = RayList::of_picture(session.samples(), SIZE, light).rays;
+    let rays = RayList::of_picture(session.samples(), SIZE, &light).rays;
     drop(session);
     let packed = PackedScene::with(&scene, Packing { traces_translucency: true, ..Packing::default() })?;
     let bvh = packed.translucent().ok_or("strands are translucent")?;
@@ -57,7 +57,7 @@ pub fn measure(hairs: u32, options: &Options) -> Outcome<Row> {
     let mut counters = Counters::default();
     for _ in 0..options.repeats {
         let (mut map, ms) =
-            timed(|| SampleMap::build(light, domain, casters, &origins, MapOptions::default()));
+            timed(|| SampleMap::build(light.place, domain, casters, &origins, MapOptions::default()));
         build.push(ms);
         let ms;
         (counters, ms) = timed(|| map.transmitted(casters, &origins, strands, &mut found));

@@ -69,7 +69,7 @@ pub fn measure(count: u32, fov_deg: Option<f32>, options: &Options) -> Outcome<R
     }
     let session = Session::new(&scene, setup, BackendKind::Cpu)?;
     let light = session.job(&Technique::RAY).shadow.light;
-    let rays = RayList::of_picture(session.samples(), SIZE, light).rays;
+    let rays = RayList::of_picture(session.samples(), SIZE, &light).rays;
     drop(session);
     let packed = PackedScene::new(&scene)?;
     let Trees::Flat(bvh) = packed.trees() else { return Err("random scenes are baked".into()) };
@@ -79,7 +79,7 @@ pub fn measure(count: u32, fov_deg: Option<f32>, options: &Options) -> Outcome<R
     let positions: Vec<Vec3> = bvh.triangles().iter().flat_map(|t| [t.v0, t.v1, t.v2]).collect();
     let triangles = (0..bvh.triangles().len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     let truth = trace(bvh, &rays);
-    let input = Input { positions, triangles, bvh, light, origins, rays, domain, truth };
+    let input = Input { positions, triangles, bvh, light: light.place, origins, rays, domain, truth };
     let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     let paper = MapOptions { order: PointOrder::Median, part_levels: 0, ..MapOptions::default() };
     let (mut nodes, mut counters) = (0, Counters::default());

@@ -24,7 +24,7 @@ impl Place {
         let scene = posed(name)?;
         let session = Session::new(&scene, Setup::for_scene(&scene, size.x, size.y), BackendKind::Cpu)?;
         let light = session.job(&Technique::RAY).shadow.light;
-        let rays = RayList::of_picture(session.samples(), size, light);
+        let rays = RayList::of_picture(session.samples(), size, &light);
         let device = session.device_name();
         drop(session);
         let packed = PackedScene::new(&scene)?;

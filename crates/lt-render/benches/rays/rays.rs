@@ -1,9 +1,9 @@
 //! Rays and the pixels that send them.
 
 use lt_bvh::Ray;
-use lt_math::glam::{UVec2, Vec4};
+use lt_math::glam::UVec2;
 use lt_render::Sample;
-use lt_shaders::{evaluate::settle, resolve::shadow_ray};
+use lt_shaders::{abi::LightParams, evaluate::settle, resolve::shadow_ray};
 
 /// A list of shadow rays.
 #[derive(Clone)]
@@ -20,7 +20,7 @@ const TILE: u32 = 8;
 
 impl RayList {
     /// The light-facing pixels of a picture in 8×8 tiles, Morton order inside; tiles row by row.
-    pub fn of_picture(samples: &[Sample], size: UVec2, light: Vec4) -> Self {
+    pub fn of_picture(samples: &[Sample], size: UVec2, light: &LightParams) -> Self {
         let mut list = RayList { rays: Vec::new(), pixels: Vec::new(), size };
         let columns = size.x.div_ceil(TILE);
         for tile in 0..columns * size.y.div_ceil(TILE) {

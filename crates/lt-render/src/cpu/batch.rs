@@ -11,7 +11,7 @@
 
 use lt_math::glam::{Mat4, Vec4};
 use lt_math::{Evsm, Levels, LightProjection, Vsm, chebyshev, float, level_margin_uv};
-use lt_shaders::abi::{Sample, ShadowParams};
+use lt_shaders::abi::{LightParams, Sample, ShadowParams};
 use lt_shaders::evaluate::{GatheredDepths, TestFromParams, Verdict, doubt, evaluate, evaluate_levels};
 
 use super::shortcut::Shortcut;
@@ -55,10 +55,6 @@ pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
     is_doubted: &mut [bool],
 ) {
     let maps = Maps { projections, depths, margin_uv: Some(level_margin_uv(p.map_size)) };
-    if !LTT && p.fade_uv > 0.0 {
-        // A fading edge is rare, and needs no speed: a map alone shows it.
-        return evaluate_each::<T, LTT>(samples, p, maps, visibility, is_doubted);
-    }
     evaluate_on::<T, LTT>(samples, p, maps, visibility, is_doubted);
 }
 
@@ -148,7 +144,7 @@ fn evaluate_all<T: BatchTest, const LTT: bool>(
     let (doubted, doubted_rest) = is_doubted.as_chunks_mut::<BATCH>();
     for ((samples, visibility), is_doubted) in batches.iter().zip(lit).zip(doubted) {
         let rows = Rows::of(samples);
-        let mut states = rows.settle(p.light.to_array());
+        let mut states = rows.settle(&p.light);
         // Whole batches of sky, or of what faces away, need no map.
         let is_any_open = states.iter().fold(false, |any, &s| any | (s == MAPPED));
         let answers = if is_any_open {
@@ -238,16 +234,22 @@ impl Rows {
 
     /// [`lt_shaders::evaluate::settle`]: `BLOCKED`, `LIT`, or `MAPPED` if that settles nothing.
     #[inline(always)]
-    pub(super) fn settle(&self, light: [f32; 4]) -> [u32; BATCH] {
+    pub(super) fn settle(&self, light: &LightParams) -> [u32; BATCH] {
         let [x, y, z] = &self.position;
         let [nx, ny, nz] = &self.normal;
-        let [lx, ly, lz, lw] = light;
+        let [lx, ly, lz, lw] = light.place.to_array();
+        let [ax, ay, az] = light.axis.to_array();
         let mut states = [BLOCKED; BATCH];
         for i in 0..BATCH {
             let is_valid = (nx[i] != 0.0) | (ny[i] != 0.0) | (nz[i] != 0.0);
-            let facing = nx[i] * (lx - x[i] * lw) + ny[i] * (ly - y[i] * lw) + nz[i] * (lz - z[i] * lw);
+            let (tx, ty, tz) = (lx - x[i] * lw, ly - y[i] * lw, lz - z[i] * lw);
+            let facing = nx[i] * tx + ny[i] * ty + nz[i] * tz;
+            let squared = tx * tx + ty * ty + tz * tz;
+            let along = -(tx * ax + ty * ay + tz * az);
+            let reaches = (lw == 0.0)
+                | ((squared <= light.range_squared) & (along >= light.cos_outer * squared.sqrt()));
             let open = if self.flags[i] & Sample::RECEIVES == 0 { LIT } else { MAPPED };
-            states[i] = if is_valid & (facing > 0.0) { open } else { BLOCKED };
+            states[i] = if is_valid & (facing > 0.0) & reaches { open } else { BLOCKED };
         }
         states
     }
@@ -349,8 +351,8 @@ impl Footprints {
             quads[3][i] = lower + right;
         }
         for i in 0..BATCH {
-            for k in 0..4 {
-                self.offsets[k][i] = maps.depths[quads[k][i] as usize];
+            for (offsets, texels) in self.offsets.iter_mut().zip(&quads) {
+                offsets[i] = maps.depths[texels[i] as usize];
             }
         }
         for row in &mut self.offsets {
@@ -528,7 +530,7 @@ mod tests {
         let size = 64u32;
         let p = ShadowParams {
             projection: LightProjection::orthographic(&frame, Vec3::splat(-1.0), Vec3::ONE),
-            light: Vec4::new(-0.28, 0.94, -0.19, 0.0),
+            light: LightParams::directional(Vec3::new(-0.28, 0.94, -0.19)),
             test: Vec4::ZERO,
             size: UVec2::ONE,
             map_size: size,
@@ -593,6 +595,18 @@ mod tests {
             let projections = [of(0.3, 0.1), of(0.5, -0.2), of(1.0, 0.0)];
             let all: Vec<f32> = (0..3 * depths.len()).map(|i| depths[(i + i / 37) % depths.len()]).collect();
             let margin_uv = Some(level_margin_uv(p.map_size));
+            check_maps::<T, LTT>(&samples, &p, Maps { projections: &projections, depths: &all, margin_uv });
+            // A spot light among the samples, with its own map and two faces of a cube.
+            let (eye, cone) = (Vec3::new(0.1, 0.9, -0.2), std::f32::consts::FRAC_PI_4);
+            p.light = LightParams {
+                place: eye.extend(1.0),
+                axis: frame.forward,
+                cos_outer: 0.7,
+                range_squared: 2.5,
+                ..LightParams::directional(Vec3::ZERO)
+            };
+            let of = |frame| LightProjection::bordered(eye, &frame, cone, (2, p.map_size), 0.0, 3.0);
+            let projections = [of(frame), of(LightFrame::of_cube_face(3)), of(LightFrame::of_cube_face(0))];
             check_maps::<T, LTT>(&samples, &p, Maps { projections: &projections, depths: &all, margin_uv });
         }
     }

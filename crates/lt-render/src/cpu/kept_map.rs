@@ -79,7 +79,7 @@ mod tests {
             let (low, high) =
                 corners.iter().fold((corners[0], corners[0]), |(l, h), c| (l.min(*c), h.max(*c)));
             let projection = LightProjection::orthographic(&frame, low - 1.0, high + 1.0);
-            let p = DepthParams { projection, map_size: 512, pad0: 0, pad1: 0, pad2: 0 };
+            let p = DepthParams { projection, map_size: 512, near: 0.0, pad0: 0, pad1: 0 };
             let (mut still, mut kept) = (StillMap::default(), vec![0.0; 512 * 512]);
             let mut moved = 0;
             for i in 0..4 {

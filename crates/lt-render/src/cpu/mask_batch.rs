@@ -110,7 +110,7 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
         batches.zip(is_doubted.as_chunks_mut::<BATCH>().0).enumerate()
     {
         let rows = Rows::of(samples);
-        let states = rows.settle(p.light.to_array());
+        let states = rows.settle(&p.light);
         let is_any_open = states.iter().fold(false, |any, &s| any | (s == MAPPED));
         if DEPTH {
             let depths = &mut depths[piece * BATCH..][..BATCH];
@@ -305,7 +305,7 @@ mod tests {
     use super::super::tiles::BLOCK;
     use super::*;
     use lt_mask::{MaskBits, Pattern};
-    use lt_math::glam::Vec4;
+    use lt_shaders::abi::LightParams;
     use lt_shaders::mask::{DepthHistory, bits_after_ray, mask, seen_depth};
 
     fn camera(size: UVec2, eye: Vec3) -> CameraParams {
@@ -461,7 +461,7 @@ mod tests {
                     let p = MaskParams {
                         current: camera(size, Vec3::ZERO),
                         previous: camera(size, if flag(4) { Vec3::ZERO } else { Vec3::new(0.1, 0.05, 0.3) }),
-                        light: Vec4::new(0.1, 0.2, 1.0, 0.0),
+                        light: LightParams::directional(Vec3::new(0.1, 0.2, 1.0)),
                         still_pattern: pattern.to_index(),
                         moving_pattern: Pattern::ALL[(bits % 8) as usize].to_index(),
                         flags: MaskParams::HAS_HISTORY | MaskParams::MAY_REMOVE | published,
@@ -493,7 +493,7 @@ mod tests {
         let p = MaskParams {
             current: camera(size, Vec3::ZERO),
             previous: camera(size, Vec3::new(0.1, 0.05, 0.3)),
-            light: Vec4::new(0.1, 0.2, 1.0, 0.0),
+            light: LightParams::directional(Vec3::new(0.1, 0.2, 1.0)),
             flags: MaskParams::HAS_HISTORY | MaskParams::MAY_REMOVE | MaskParams::MAY_REMOVE_MOVING,
             depth_tolerance: 0.3,
             ..bytemuck::Zeroable::zeroed()

@@ -9,6 +9,7 @@ mod history;
 mod kept_map;
 mod light_space;
 mod mask_batch;
+mod perspective;
 mod planes;
 mod raster;
 mod shadow;
@@ -203,7 +204,7 @@ impl Backend for CpuBackend {
                 blur_columns(&map.filter, &slot.rows[at.clone()], &mut slot.vectors[at]);
             }),
             (PassKind::LightTree, ..) => {
-                let light = job.shadow.light;
+                let light = job.shadow.light.place;
                 if self.light_tree.as_ref().is_none_or(|(of, _)| *of != light) {
                     self.light_tree = Some((light, light_space::tree(&self.scene, light)));
                 }
@@ -220,7 +221,7 @@ impl Backend for CpuBackend {
             (PassKind::Tint, ..) => {
                 self.rays += tint::trace(
                     &self.scene,
-                    job.shadow.light,
+                    &job.shadow.light,
                     &self.samples,
                     &self.visibility,
                     &mut self.tint,
@@ -240,7 +241,7 @@ impl Backend for CpuBackend {
             + size_of_val(&slot.vectors[..]);
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
         if job.plan.trace_all {
-            let lit_side = |s: &Sample| !settle(s, job.shadow.light).1;
+            let lit_side = |s: &Sample| !settle(s, &job.shadow.light).1;
             let traced: Vec<bool> = self.samples.iter().map(lit_side).collect();
             doubt = self.tiles.to_rows(&traced);
         }

@@ -2,13 +2,14 @@
 //! texel centres), the map cut into bands that threads own, holes cut by the alpha test.
 
 use lt_bvh::Triangle;
-use lt_math::glam::{Vec2, Vec3};
+use lt_math::glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
 use lt_shaders::abi::{DepthParams, Material, Vertex};
-use lt_shaders::depth::{corner, map_position, placed_corner, weights_at};
+use lt_shaders::depth::{corner, depth_at, map_position, placed_corner, weights_at};
 use lt_shaders::surface::{blocks, corners_of};
 use rayon::prelude::*;
 use std::ops::Range;
 
+use super::perspective::{self, Polygon};
 use crate::{PackedScene, packed::DrawRange};
 
 /// Steps per texel that corners are snapped to; every Vulkan driver offers at least 4 bits, most have 8.
@@ -31,12 +32,14 @@ const GUARD_TEXELS: f32 = 1.0e6;
 /// A triangle ready to be drawn.
 #[derive(Clone, Copy)]
 struct Prepared {
-    /// Corners in texels; z is the depth.
-    corners: [Vec3; 3],
+    /// The triangle's corners in homogeneous texels; z is the depth.
+    corners: [Vec4; 3],
     /// The same, snapped, in counter-clockwise order on a y-down map.
     snapped: [[i32; 2]; 3],
     triangle: u32,
     has_holes: bool,
+    /// Depth is not linear on the map.
+    is_perspective: bool,
 }
 
 /// Empties a map: 1 everywhere.
@@ -69,17 +72,19 @@ fn joined(a: Range<usize>, b: Range<usize>) -> Range<usize> {
 fn may_appear(scene: &PackedScene, p: &DepthParams, draw: &DrawRange) -> bool {
     let Some(instance) = scene.instances().get(draw.instance as usize) else { return true };
     let (low, high) = (instance.low_world, instance.high_world);
-    let corners: [Vec3; 8] = std::array::from_fn(|i| {
+    let corners: [Vec4; 8] = std::array::from_fn(|i| {
         let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
         map_position(&p.projection, Vec3::new(pick(0), pick(1), pick(2)), p.map_size)
     });
     // A texel of margin for rounding. Comparisons are false for NaN, which keeps the draw.
     let size = p.map_size as f32;
-    let is_beyond = |beyond: &dyn Fn(Vec3) -> bool| corners.iter().all(|&c| beyond(c));
-    !(is_beyond(&|c| c.x < -1.0)
-        || is_beyond(&|c| c.y < -1.0)
-        || is_beyond(&|c| c.x > size + 1.0)
-        || is_beyond(&|c| c.y > size + 1.0)
+    let is_beyond = |beyond: &dyn Fn(Vec4) -> bool| corners.iter().all(|&c| beyond(c));
+    // Homogeneous half-spaces: they hold behind the light, too.
+    !(is_beyond(&|c| c.x < -c.w)
+        || is_beyond(&|c| c.y < -c.w)
+        || is_beyond(&|c| c.x > (size + 1.0) * c.w)
+        || is_beyond(&|c| c.y > (size + 1.0) * c.w)
+        || is_beyond(&|c| c.w <= 0.0)
         || is_beyond(&|c| c.z > 1.0 + 1e-3))
 }
 
@@ -119,13 +124,14 @@ impl Piece {
         let mut piece =
             Self { triangles: Vec::new(), bands: vec![Vec::new(); size.div_ceil(BAND)], rows: 0..0 };
         for i in range {
-            let Some(t) = prepare(scene, p, draw, i, &scene.triangles()[i as usize]) else { continue };
-            let (low, high) = rows_of(&t, size);
-            for band in &mut piece.bands[low / BAND..high.div_ceil(BAND)] {
-                band.push(piece.triangles.len() as u32);
+            for t in prepare(scene, p, draw, i, &scene.triangles()[i as usize]) {
+                let (low, high) = rows_of(&t, size);
+                for band in &mut piece.bands[low / BAND..high.div_ceil(BAND)] {
+                    band.push(piece.triangles.len() as u32);
+                }
+                piece.rows = joined(piece.rows, low..high);
+                piece.triangles.push(t);
             }
-            piece.rows = joined(piece.rows, low..high);
-            piece.triangles.push(t);
         }
         piece
     }
@@ -167,22 +173,36 @@ fn nearest_first(members: Vec<&Prepared>) -> Vec<&Prepared> {
     sorted
 }
 
-fn prepare(
-    scene: &PackedScene,
-    p: &DepthParams,
-    draw: &DrawRange,
-    index: u32,
-    t: &Triangle,
-) -> Option<Prepared> {
+fn prepare(scene: &PackedScene, p: &DepthParams, draw: &DrawRange, index: u32, t: &Triangle) -> Parts {
     let world = |i: u32| match scene.instances() {
         [] => corner(t, i),
         placed => placed_corner(t, i, &placed[draw.instance as usize]),
     };
     let corners = [0, 1, 2].map(|i| map_position(&p.projection, world(i), p.map_size));
-    if !corners.iter().any(|c| c.z < 1.0) {
-        return None;
+    if corners.iter().all(|c| c.z >= 1.0) {
+        return Parts::None;
     }
-    let mut snapped = corners.map(|c| [snap(c.x), snap(c.y)]);
+    let has_holes = draw.has_holes && !t.is_opaque();
+    let is_perspective = p.near > 0.0;
+    let part = |at: [Vec2; 3]| {
+        let snapped = placed(at, p.map_size as usize)?;
+        Some(Prepared { corners, snapped, triangle: index, has_holes, is_perspective })
+    };
+    if !is_perspective {
+        return Parts::One(part(corners.map(|c| c.xy())));
+    }
+    match perspective::cut(&corners, p.near, p.map_size as f32) {
+        Polygon::Whole(at) => Parts::One(part(at)),
+        Polygon::Cut(at) => {
+            let fan = (2..at.len()).filter_map(|i| part([at[0], at[i - 1], at[i]]));
+            Parts::Many(fan.collect::<Vec<_>>().into_iter())
+        }
+    }
+}
+
+/// Corners snapped and in order; `None` if they cover no texel.
+fn placed(at: [Vec2; 3], size: usize) -> Option<[[i32; 2]; 3]> {
+    let mut snapped = at.map(|c| [snap(c.x), snap(c.y)]);
     let area = edge(snapped[0], snapped[1], snapped[2]);
     if area == 0 {
         return None;
@@ -190,14 +210,11 @@ fn prepare(
     if area < 0 {
         snapped.swap(1, 2);
     }
-    let has_holes = draw.has_holes && !t.is_opaque();
-    let prepared = Prepared { corners, snapped, triangle: index, has_holes };
-    let size = p.map_size as usize;
     let is_on_map = [0, 1].iter().all(|&axis| {
         let (low, high) = span(snapped.map(|c| c[axis]), size);
         low < high
     });
-    is_on_map.then_some(prepared)
+    is_on_map.then_some(snapped)
 }
 
 /// A coordinate in texels as a whole number of subtexels, ties to even.
@@ -206,6 +223,24 @@ fn snap(x: f32) -> i32 {
     // Adding 1.5·2⁵² rounds an f64 to a whole number without a call.
     const ROUNDER: f64 = 6_755_399_441_055_744.0;
     ((f64::from(scaled) + ROUNDER) - ROUNDER) as i32
+}
+
+/// What a triangle leaves to be drawn.
+enum Parts {
+    None,
+    One(Option<Prepared>),
+    Many(std::vec::IntoIter<Prepared>),
+}
+
+impl Iterator for Parts {
+    type Item = Prepared;
+    fn next(&mut self) -> Option<Prepared> {
+        match self {
+            Self::None => None,
+            Self::One(part) => part.take(),
+            Self::Many(parts) => parts.next(),
+        }
+    }
 }
 
 impl Prepared {
@@ -270,11 +305,27 @@ impl Edge {
 }
 
 fn draw_triangle(scene: &PackedScene, t: &Prepared, first_row: usize, size: usize, rows: &mut [f32]) {
+    match t.is_perspective {
+        false => {
+            let plane = DepthPlane::through(&t.corners.map(|c| c.truncate()));
+            draw_surface(scene, t, &plane, first_row, size, rows);
+        }
+        true => draw_surface(scene, t, &Perspective(&t.corners), first_row, size, rows),
+    }
+}
+
+fn draw_surface(
+    scene: &PackedScene,
+    t: &Prepared,
+    surface: &impl Surface,
+    first_row: usize,
+    size: usize,
+    rows: &mut [f32],
+) {
     let s = t.snapped;
     let edges = [Edge::new(s[0], s[1]), Edge::new(s[1], s[2]), Edge::new(s[2], s[0])];
     let (low_row, high_row) = rows_of(t, size);
     let (low_column, high_column) = span(s.map(|c| c[0]), size);
-    let plane = DepthPlane::through(&t.corners);
     let holes = t.has_holes.then(|| Holes::of(scene, t));
     for row in low_row.max(first_row)..high_row.min(first_row + rows.len() / size) {
         let (mut low, mut high) = (low_column as i64, high_column as i64);
@@ -289,8 +340,8 @@ fn draw_triangle(scene: &PackedScene, t: &Prepared, first_row: usize, size: usiz
         for (group, stored) in depths.chunks_mut(LANES).enumerate() {
             let first = low as usize + group * LANES;
             match &holes {
-                None => plane.draw(first, y, stored),
-                Some(holes) => plane.draw_where(first, y, stored, |centre| holes.is_covered(t, centre)),
+                None => surface.draw(first, y, stored),
+                Some(holes) => surface.draw_where(first, y, stored, |centre| holes.is_covered(t, centre)),
             }
         }
     }
@@ -336,7 +387,9 @@ impl DepthPlane {
         let z = corners.map(|c| c.z);
         Self { origin: corners[0], gradient, low: z[0].min(z[1]).min(z[2]), high: z[0].max(z[1]).max(z[2]) }
     }
+}
 
+impl Surface for DepthPlane {
     #[inline(always)]
     fn at(&self, x: f32, y: f32) -> f32 {
         let offset = (x - self.origin.x) * self.gradient.x + (y - self.origin.y) * self.gradient.y;
@@ -344,6 +397,22 @@ impl DepthPlane {
         let depth = if depth < self.low { self.low } else { depth };
         if depth > self.high { self.high } else { depth }
     }
+}
+
+/// A triangle on a perspective map.
+struct Perspective<'a>(&'a [Vec4; 3]);
+
+impl Surface for Perspective<'_> {
+    #[inline(always)]
+    fn at(&self, x: f32, y: f32) -> f32 {
+        depth_at(Vec2::new(x, y), self.0)
+    }
+}
+
+/// What a triangle shows on a map.
+trait Surface {
+    /// Its depth at a place of the map, texels.
+    fn at(&self, x: f32, y: f32) -> f32;
 
     /// Draws neighbours in a row, the first of them texel `first`; y is their centres'.
     #[inline(always)]
@@ -379,12 +448,12 @@ mod tests {
     use super::*;
 
     fn covered(corners: [[f32; 2]; 3], size: usize) -> Vec<bool> {
-        let corners = corners.map(|c| Vec3::new(c[0], c[1], 0.5));
+        let corners = corners.map(|c| Vec4::new(c[0], c[1], 0.5, 1.0));
         let mut snapped = corners.map(|c| [snap(c.x), snap(c.y)]);
         if edge(snapped[0], snapped[1], snapped[2]) < 0 {
             snapped.swap(1, 2);
         }
-        let t = Prepared { corners, snapped, triangle: 0, has_holes: false };
+        let t = Prepared { corners, snapped, triangle: 0, has_holes: false, is_perspective: false };
         let edges = [
             Edge::new(snapped[0], snapped[1]),
             Edge::new(snapped[1], snapped[2]),

@@ -12,7 +12,7 @@ use lt_math::glam::{Vec3, Vec4};
 use lt_math::{
     Esm, Evsm, LevelSource, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm,
 };
-use lt_shaders::abi::{Material, Sample, ShadowParams};
+use lt_shaders::abi::{LightParams, Material, Sample, ShadowParams};
 use lt_shaders::evaluate::{
     FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate_levels, settle,
 };
@@ -133,7 +133,7 @@ impl Later<'_> {
         is_doubted: &[bool],
         memories: &mut [Option<Memory<'_>>],
     ) -> u64 {
-        let (light, all) = (self.job.shadow.light, self.job.plan.trace_all);
+        let (light, all) = (&self.job.shadow.light, self.job.plan.trace_all);
         let asked = |i: &usize| if all { !settle(&self.samples[*i], light).1 } else { is_doubted[*i] };
         let pixels: Vec<usize> = (0..self.samples.len()).into_par_iter().filter(asked).collect();
         let origins: Vec<Vec3> =
@@ -143,9 +143,9 @@ impl Later<'_> {
         match self.job.plan.alpha_test {
             true => {
                 let any_hit = coverage(self.scene, Material::CASTS);
-                occluded(self.scene, resolve, light, &origins, any_hit, &mut is_blocked);
+                occluded(self.scene, resolve, light.place, &origins, any_hit, &mut is_blocked);
             }
-            false => occluded(self.scene, resolve, light, &origins, Opaque, &mut is_blocked),
+            false => occluded(self.scene, resolve, light.place, &origins, Opaque, &mut is_blocked),
         }
         for (&pixel, &is_blocked) in pixels.iter().zip(&is_blocked) {
             visibility[pixel] = if is_blocked { 0.0 } else { 1.0 };
@@ -198,7 +198,7 @@ impl Totals {
 /// The passes of a frame, for any block.
 struct Passes<'a> {
     resolver: Resolver<'a>,
-    light: Vec4,
+    light: LightParams,
     estimator: Option<Estimator<'a>>,
     frames: Option<Frames<'a>>,
     traces_all: bool,
@@ -236,16 +236,16 @@ impl Passes<'_> {
         rays.clear();
         if self.traces_all {
             for (i, sample) in samples.iter().enumerate() {
-                let (verdict, is_settled) = settle(sample, self.light);
+                let (verdict, is_settled) = settle(sample, &self.light);
                 visibility[i] = verdict.visibility;
                 if !is_settled {
-                    rays.push(i, shadow_ray(sample, self.light));
+                    rays.push(i, shadow_ray(sample, &self.light));
                 }
             }
         } else if self.traces_doubted {
             for (i, sample) in samples.iter().enumerate() {
                 if is_doubted[i] {
-                    rays.push(i, shadow_ray(sample, self.light));
+                    rays.push(i, shadow_ray(sample, &self.light));
                 }
             }
         }

@@ -1,8 +1,8 @@
 //! The tint pass: most rays meet nothing translucent, which the SIMD tracer finds out; the shared kernel follows the others.
 
 use lt_bvh::{Bvh, Opaque, Ray, Simd, Tracer};
-use lt_math::glam::{Vec3, Vec4};
-use lt_shaders::abi::Sample;
+use lt_math::glam::Vec3;
+use lt_shaders::abi::{LightParams, Sample};
 use lt_shaders::resolve::{may_be_tinted, shadow_ray, trace_tint};
 use lt_shaders::surface::Translucence;
 use rayon::prelude::*;
@@ -13,7 +13,7 @@ use crate::PackedScene;
 /// Fills in what translucent casters let through to each sample; returns how many rays that took.
 pub fn trace(
     scene: &PackedScene,
-    light: Vec4,
+    light: &LightParams,
     samples: &[Sample],
     visibility: &[f32],
     tint: &mut [Vec3],
@@ -35,7 +35,7 @@ pub fn trace(
 fn trace_block(
     bvh: &Bvh,
     casters: Translucence<'_>,
-    light: Vec4,
+    light: &LightParams,
     samples: &[Sample],
     visibility: &[f32],
     tint: &mut [Vec3],

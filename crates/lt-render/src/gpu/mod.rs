@@ -141,7 +141,7 @@ impl GpuBackend {
     /// Doubted pixels and rays of the frame that was just run.
     fn doubt(&self, job: &FrameJob) -> Result<(Vec<bool>, u64), RenderError> {
         if job.plan.trace_all {
-            let traced: Vec<bool> = self.samples.iter().map(|s| !settle(s, job.shadow.light).1).collect();
+            let traced: Vec<bool> = self.samples.iter().map(|s| !settle(s, &job.shadow.light).1).collect();
             let rays = traced.iter().filter(|t| **t).count() as u64;
             return Ok((traced, rays));
         }
@@ -218,7 +218,7 @@ impl Backend for GpuBackend {
             Some(buffer) => {
                 let rows: Vec<Vec4> = self.recorder.allocator().read(&self.queue, buffer, bytes * 4)?;
                 let reached = self.samples.iter().zip(&visibility);
-                rays += reached.filter(|(s, v)| may_be_tinted(s, job.shadow.light, **v)).count() as u64;
+                rays += reached.filter(|(s, v)| may_be_tinted(s, &job.shadow.light, **v)).count() as u64;
                 rows.into_iter().map(Vec4::truncate).collect()
             }
         };

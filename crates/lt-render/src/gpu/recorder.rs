@@ -264,7 +264,7 @@ impl Recorder {
         let uniform = self.allocator.filled("depth map", &[*p], Usage::UNIFORM)?;
         let mut variants: HashMap<&str, (wgpu::RenderPipeline, wgpu::BindGroup)> = HashMap::new();
         for draw in &scene.draws {
-            let name = depth_variant(scene.instances.is_some(), draw.has_holes);
+            let name = depth_variant(p.near > 0.0, scene.instances.is_some(), draw.has_holes);
             if !variants.contains_key(name) {
                 let pipeline = self.depth_pipeline(name)?;
                 let mut buffers = vec![&uniform, &scene.triangles];
@@ -291,7 +291,8 @@ impl Recorder {
             ..wgpu::RenderPassDescriptor::default()
         });
         for draw in &scene.draws {
-            let (pipeline, group) = &variants[depth_variant(scene.instances.is_some(), draw.has_holes)];
+            let (pipeline, group) =
+                &variants[depth_variant(p.near > 0.0, scene.instances.is_some(), draw.has_holes)];
             pass.set_pipeline(pipeline);
             pass.set_bind_group(0, group, &[]);
             let first = draw.first_triangle * 3;
@@ -549,8 +550,15 @@ impl Recorder {
     }
 
     fn make_depth_pipeline(&self, name: &str) -> Result<wgpu::RenderPipeline, RenderError> {
-        let vertex = self.module(&format!("{name}_vs"))?;
-        let fragment = if name.ends_with("alpha") { Some(self.module(&format!("{name}_fs"))?) } else { None };
+        let is_perspective = name.starts_with("depth_perspective");
+        // The stage that tells fragments their triangle.
+        let vertex = match (is_perspective, name.contains("instanced")) {
+            (false, _) => self.module(&format!("{name}_vs"))?,
+            (true, false) => self.module("depth_alpha_vs")?,
+            (true, true) => self.module("depth_instanced_alpha_vs")?,
+        };
+        let has_fragments = is_perspective || name.ends_with("alpha");
+        let fragment = if has_fragments { Some(self.module(&format!("{name}_fs"))?) } else { None };
         let fragment = fragment.map(|f| (f.load(&self.device), f.entry_point));
         Ok(self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(name),
@@ -617,11 +625,15 @@ fn grid(size: UVec2) -> Groups<'static> {
     Groups::Fixed(size.x.div_ceil(8), size.y.div_ceil(8))
 }
 
-fn depth_variant(is_instanced: bool, has_holes: bool) -> &'static str {
-    match (is_instanced, has_holes) {
-        (false, false) => "depth",
-        (false, true) => "depth_alpha",
-        (true, false) => "depth_instanced",
-        (true, true) => "depth_instanced_alpha",
+fn depth_variant(is_perspective: bool, is_instanced: bool, has_holes: bool) -> &'static str {
+    match (is_perspective, is_instanced, has_holes) {
+        (false, false, false) => "depth",
+        (false, false, true) => "depth_alpha",
+        (false, true, false) => "depth_instanced",
+        (false, true, true) => "depth_instanced_alpha",
+        (true, false, false) => "depth_perspective",
+        (true, false, true) => "depth_perspective_alpha",
+        (true, true, false) => "depth_perspective_instanced",
+        (true, true, true) => "depth_perspective_instanced_alpha",
     }
 }

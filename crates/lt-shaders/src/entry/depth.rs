@@ -1,4 +1,5 @@
-//! Depth map: vertices pulled from the tree's own triangles, and a fragment stage only where casters have holes.
+//! Depth map: vertices pulled from the tree's own triangles, and a fragment stage only where casters have holes or the map is
+//! a perspective one, whose depths hardware cannot interpolate.
 
 use lt_bvh::{Instance, Triangle};
 use lt_math::glam::{Vec4, Vec4Swizzles};
@@ -6,7 +7,7 @@ use spirv_std::{arch::kill, spirv};
 
 use crate::{
     abi::{DepthParams, Material, Vertex},
-    depth::{clip_position, corner, map_position, placed_corner, weights_at},
+    depth::{clip_position, corner, depth_at, map_position, placed_corner, weights_at},
     surface::{blocks, corners_of},
 };
 
@@ -18,7 +19,7 @@ pub fn depth_vs(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
     #[spirv(position)] position: &mut Vec4,
 ) {
-    *position = clip_position(&p.projection, corner(&triangles[(vertex / 3) as usize], vertex % 3));
+    *position = clip_position(p, corner(&triangles[(vertex / 3) as usize], vertex % 3));
 }
 
 /// Placed casters.
@@ -32,7 +33,7 @@ pub fn depth_instanced_vs(
     #[spirv(position)] position: &mut Vec4,
 ) {
     let world = placed_corner(&triangles[(vertex / 3) as usize], vertex % 3, &instances[instance as usize]);
-    *position = clip_position(&p.projection, world);
+    *position = clip_position(p, world);
 }
 
 /// Casters with holes, in world space.
@@ -45,7 +46,7 @@ pub fn depth_alpha_vs(
     #[spirv(location = 0, flat)] triangle: &mut u32,
 ) {
     *triangle = vertex / 3;
-    *position = clip_position(&p.projection, corner(&triangles[(vertex / 3) as usize], vertex % 3));
+    *position = clip_position(p, corner(&triangles[(vertex / 3) as usize], vertex % 3));
 }
 
 /// Placed casters with holes.
@@ -63,7 +64,7 @@ pub fn depth_instanced_alpha_vs(
     *triangle = vertex / 3;
     *placed = instance;
     let world = placed_corner(&triangles[(vertex / 3) as usize], vertex % 3, &instances[instance as usize]);
-    *position = clip_position(&p.projection, world);
+    *position = clip_position(p, world);
 }
 
 /// Cuts holes, in world space.
@@ -107,4 +108,86 @@ pub fn depth_instanced_alpha_fs(
     if !blocks(&materials[corners[0].material as usize], &corners, weights, alpha_texels) {
         kill();
     }
+}
+
+/// Depths on a perspective map.
+#[spirv(fragment(depth_replacing))]
+pub fn depth_perspective_fs(
+    #[spirv(frag_coord)] at: Vec4,
+    #[spirv(location = 0, flat)] triangle: u32,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &DepthParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
+    #[spirv(frag_depth)] depth: &mut f32,
+) {
+    let t = triangles[triangle as usize];
+    let place = |i| map_position(&p.projection, corner(&t, i), p.map_size);
+    let corners_map = [place(0), place(1), place(2)];
+    *depth = depth_at(at.xy(), &corners_map);
+}
+
+/// Depths on a perspective map, holes cut.
+#[spirv(fragment(depth_replacing))]
+pub fn depth_perspective_alpha_fs(
+    #[spirv(frag_coord)] at: Vec4,
+    #[spirv(location = 0, flat)] triangle: u32,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &DepthParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] vertices: &[Vertex],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] materials: &[Material],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] alpha_texels: &[u32],
+    #[spirv(frag_depth)] depth: &mut f32,
+) {
+    let t = triangles[triangle as usize];
+    let place = |i| map_position(&p.projection, corner(&t, i), p.map_size);
+    let corners_map = [place(0), place(1), place(2)];
+    let weights = weights_at(at.xy(), &corners_map);
+    let corners = corners_of(&t, vertices);
+    if !blocks(&materials[corners[0].material as usize], &corners, weights, alpha_texels) {
+        kill();
+    }
+    *depth = depth_at(at.xy(), &corners_map);
+}
+
+/// Depths of placed casters on a perspective map.
+#[spirv(fragment(depth_replacing))]
+pub fn depth_perspective_instanced_fs(
+    #[spirv(frag_coord)] at: Vec4,
+    #[spirv(location = 0, flat)] triangle: u32,
+    #[spirv(location = 1, flat)] placed: u32,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &DepthParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] instances: &[Instance],
+    #[spirv(frag_depth)] depth: &mut f32,
+) {
+    let t = triangles[triangle as usize];
+    let instance = instances[placed as usize];
+    let place = |i| map_position(&p.projection, placed_corner(&t, i, &instance), p.map_size);
+    let corners_map = [place(0), place(1), place(2)];
+    *depth = depth_at(at.xy(), &corners_map);
+}
+
+/// Depths of placed casters on a perspective map, holes cut.
+#[spirv(fragment(depth_replacing))]
+pub fn depth_perspective_instanced_alpha_fs(
+    #[spirv(frag_coord)] at: Vec4,
+    #[spirv(location = 0, flat)] triangle: u32,
+    #[spirv(location = 1, flat)] placed: u32,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &DepthParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] instances: &[Instance],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] vertices: &[Vertex],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] materials: &[Material],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] alpha_texels: &[u32],
+    #[spirv(frag_depth)] depth: &mut f32,
+) {
+    let t = triangles[triangle as usize];
+    let instance = instances[placed as usize];
+    let place = |i| map_position(&p.projection, placed_corner(&t, i, &instance), p.map_size);
+    let corners_map = [place(0), place(1), place(2)];
+    let weights = weights_at(at.xy(), &corners_map);
+    let corners = corners_of(&t, vertices);
+    if !blocks(&materials[corners[0].material as usize], &corners, weights, alpha_texels) {
+        kill();
+    }
+    *depth = depth_at(at.xy(), &corners_map);
 }

@@ -61,13 +61,13 @@ macro_rules! resolve_entries {
         ) {
             if let Some(i) = pixel_index(id, p.size) {
                 let sample = samples[i];
-                let (verdict, is_settled) = settle(&sample, p.light);
+                let (verdict, is_settled) = settle(&sample, &p.light);
                 let geometry = geometry!(p, nodes, triangles $(, instances $i0)?);
                 let any_hit = any_hit!(triangles $(, vertices $v0, materials $m0, alpha_texels $a0)?);
                 visibility[i] = if is_settled {
                     verdict.visibility
                 } else {
-                    trace_visibility(&sample, p.light, geometry, any_hit)
+                    trace_visibility(&sample, &p.light, geometry, any_hit)
                 };
             }
         }
@@ -92,7 +92,7 @@ macro_rules! resolve_entries {
                 let i = list[(slot + LIST_START) as usize] as usize;
                 let geometry = geometry!(p, nodes, triangles $(, instances $i1)?);
                 let any_hit = any_hit!(triangles $(, vertices $v1, materials $m1, alpha_texels $a1)?);
-                visibility[i] = trace_visibility(&samples[i], p.light, geometry, any_hit);
+                visibility[i] = trace_visibility(&samples[i], &p.light, geometry, any_hit);
             }
         }
 
@@ -117,7 +117,7 @@ macro_rules! resolve_entries {
                 let i = list[(slot + LIST_START) as usize] as usize;
                 let geometry = geometry!(p, nodes, triangles $(, instances $i2)?);
                 let any_hit = any_hit!(triangles $(, vertices $v2, materials $m2, alpha_texels $a2)?);
-                visibility[i] = trace_visibility(&samples[i], p.light, geometry, any_hit);
+                visibility[i] = trace_visibility(&samples[i], &p.light, geometry, any_hit);
                 bits[i] = bits_after_ray(MaskBits::from_bits(bits[i]), visibility[i]).to_bits();
             }
         }

@@ -28,6 +28,6 @@ pub fn tint_cs(
 ) {
     if let Some(i) = pixel_index(id, p.size) {
         let casters = Translucence { triangles, vertices, materials, alpha_texels, color_texels };
-        tints[i] = trace_tint(&samples[i], p.light, visibility[i], nodes, casters).extend(1.0);
+        tints[i] = trace_tint(&samples[i], &p.light, visibility[i], nodes, casters).extend(1.0);
     }
 }
