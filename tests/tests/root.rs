@@ -5,6 +5,7 @@ mod cascades;
 mod effects;
 mod hard;
 mod laws;
+mod light;
 mod lights;
 mod mask;
 mod real_scenes;

@@ -1,7 +1,7 @@
 //! Translucent casters tint what light they let through, in any order, on CPU and GPU.
 
 use lt_math::glam::{Affine3A, Vec3, Vec4};
-use lt_render::{BackendKind, Frame, Session, Setup, Technique};
+use lt_render::{BackendKind, Frame, Packing, Session, Setup, Technique};
 use lt_scene::{AlphaMode, Camera, Instance, Light, Material, Mesh, Scene};
 use lt_tests::{TWIN_PPM, builtin, gpu_session, ppm};
 
@@ -50,7 +50,11 @@ fn blended(color: Vec4) -> Material {
 }
 
 fn setup(scene: &Scene) -> Setup {
-    Setup { map_size: 512, traces_translucency: true, ..Setup::for_scene(scene, 160, 100) }
+    Setup {
+        map_size: 512,
+        packing: Packing { traces_translucency: true, ..Packing::default() },
+        ..Setup::for_scene(scene, 160, 100)
+    }
 }
 
 fn frame(scene: &Scene, id: &str) -> Frame {
@@ -142,7 +146,7 @@ fn another_tree_over_the_same_strands_multiplies_to_the_same_tint() {
 #[test]
 fn where_nothing_is_translucent_asking_changes_nothing() {
     let scene = builtin("square:6");
-    let plain = Setup { traces_translucency: false, ..setup(&scene) };
+    let plain = Setup { packing: Packing::default(), ..setup(&scene) };
     let mut session = Session::new(&scene, plain, BackendKind::Cpu).expect("session");
     let without = session.render(&Technique::RAY).expect("frame");
     let with = frame(&scene, "ray");

@@ -106,7 +106,7 @@ fn prefiltered(technique: &Technique) -> Option<Technique> {
 }
 
 fn is_ray_or_hybrid(technique: &Technique) -> bool {
-    technique.resolve == lt_render::Resolve::Ray
+    technique.resolve.is_exact()
 }
 
 /// `lt render`.

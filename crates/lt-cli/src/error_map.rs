@@ -30,7 +30,7 @@ pub fn error_marks(comparison: &Comparison, row: &Row, is_valid: &[bool]) -> Pic
 
 /// Marks of doubted pixels over nothing.
 pub fn ray_marks(comparison: &Comparison, row: &Row) -> Picture {
-    let traces = row.technique.resolve == lt_render::Resolve::Ray;
+    let traces = row.technique.resolve.is_exact();
     let pixels = row.frame.doubt.iter().map(|&d| if d && traces { RAY } else { CLEAR }).collect();
     Picture::new(comparison.size, pixels)
 }

@@ -103,6 +103,7 @@ fn row(id: &str, frame: &Frame, ms: f64, rays: u64) -> Row {
             level_search: false,
             doubt_list: false,
             trace_all: rays > 0,
+            resolve: lt_render::Resolve::Ray,
             mask: None,
             object_motion: false,
             reuse: false,

@@ -25,7 +25,7 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
         files::prepare_dir(dir)?;
     }
     let technique = args.technique.with(args.scene.technique_defaults());
-    let mut opened = args.scene.open()?;
+    let mut opened = args.scene.open(&[technique])?;
     let session = &mut opened.session;
     let work = spinner(&format!("drawing with {technique}"));
     let frame = session.render(&technique)?;

@@ -3,7 +3,7 @@
 use anyhow::Context;
 use clap::{Args, value_parser};
 use lt_math::glam::{UVec2, Vec3};
-use lt_render::{BackendKind, RenderError, Session, Setup};
+use lt_render::{BackendKind, RenderError, Session, Setup, Technique};
 use lt_scene::{Camera, Light, LightKind, Scene, Source};
 
 use crate::{
@@ -94,11 +94,12 @@ pub struct Opened {
 }
 
 impl SceneArgs {
-    /// Starts the threads, loads the scene, applies the options, builds the BVH and finds the visible samples.
+    /// Starts the threads, loads the scene, applies the options, builds the BVH and finds the visible samples, in such a way that
+    /// `techniques` can run.
     ///
     /// # Errors
     /// What names no scene, cannot be read, or cannot be drawn; [`Usage`] for an option that does not fit the scene.
-    pub fn open(&self) -> anyhow::Result<Opened> {
+    pub fn open(&self, techniques: &[Technique]) -> anyhow::Result<Opened> {
         if let Some(threads) = self.threads {
             rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global().with_context(
                 || format!("--threads {threads}: the threads could not be started; ask for fewer"),
@@ -110,7 +111,8 @@ impl SceneArgs {
         if let Some(repairs) = scene.repairs.summary() {
             work.suspend(|| eprintln!("note: {}: {repairs}", self.scene));
         }
-        let setup = self.setup(&scene)?;
+        let mut setup = self.setup(&scene)?;
+        setup.packing.bakes_copies = techniques.iter().any(|t| t.resolve.is_in_light_space());
         work.set_message(format!("building the BVH of {} triangles", grouped(scene.triangle_count() as u64)));
         let session = Session::new(&scene, setup, self.backend).map_err(|e| self.explain(e))?;
         work.finish_and_clear();
@@ -155,7 +157,7 @@ impl SceneArgs {
             setup.light = Light { kind, ..Light::sun(Vec3::NEG_Y) };
         }
         self.aim(&mut setup.camera)?;
-        setup.traces_translucency = self.translucent;
+        setup.packing.traces_translucency = self.translucent;
         setup.map_size = self.map_size.unwrap_or(setup.map_size);
         Ok(setup)
     }

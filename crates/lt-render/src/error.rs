@@ -10,6 +10,9 @@ pub enum RenderError {
     /// The BVH could not be built.
     #[error("acceleration structure: {0}")]
     Build(String),
+    /// A technique that this backend or scene has no means for.
+    #[error("{0}")]
+    Unsupported(String),
     /// The caller asked to stop.
     #[error("stopped")]
     Cancelled,

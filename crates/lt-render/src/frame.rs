@@ -18,6 +18,8 @@ pub enum PassKind {
     Evaluate,
     /// Last frame's rays correct the doubt.
     Mask,
+    /// The tree over casters in the light's own space, where it is not kept.
+    LightTree,
     /// Truth for the doubted pixels.
     Resolve,
     /// What translucent casters let through to the lit ones.
@@ -34,6 +36,7 @@ impl PassKind {
             Self::FilterY => "filter y",
             Self::Evaluate => "evaluate",
             Self::Mask => "mask",
+            Self::LightTree => "light tree",
             Self::Resolve => "resolve",
             Self::Tint => "tint",
         }

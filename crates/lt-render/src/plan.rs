@@ -65,6 +65,8 @@ pub struct EffectPlan {
     pub doubt_list: bool,
     /// Every light-facing pixel is traced, without a list.
     pub trace_all: bool,
+    /// What answers the doubt.
+    pub resolve: Resolve,
     /// The last frame corrects the doubt.
     pub mask: Option<MaskEffects>,
     /// The camera pass also finds where every visible point was in the last frame.
@@ -87,7 +89,7 @@ impl EffectPlan {
         sequence: Sequence,
     ) -> Self {
         let map = technique.map_test();
-        let doubt_list = technique.doubt == Doubt::Ltt && technique.resolve == Resolve::Ray;
+        let doubt_list = technique.doubt == Doubt::Ltt && technique.resolve.is_exact();
         let trace_all = technique.doubt == Doubt::Always;
         let size = technique.map_size.unwrap_or(map_size);
         let is_prefiltered = matches!(map, Some((_, MapSource::Prefiltered)));
@@ -106,6 +108,7 @@ impl EffectPlan {
             level_search: lamp.is_some() || has_cascades,
             doubt_list,
             trace_all,
+            resolve: technique.resolve,
             mask: technique.mask.map(|m| MaskEffects {
                 motion: sequence.camera_moves || sequence.objects_move,
                 depth_test: m.depth_test,
@@ -197,6 +200,18 @@ impl EffectPlan {
             }
             .to_owned(),
             "1 pass, the BVH".to_owned(),
+        );
+        list(
+            "light tree",
+            technique.resolve == Resolve::Light,
+            match technique.resolve {
+                Resolve::None => "the estimate stands as it is",
+                Resolve::Ray => "rays walk the BVH",
+                Resolve::Light => "rays are points in the light's own space",
+                Resolve::DivideAndConquer | Resolve::AliasFree => "the resolver keeps nothing",
+            }
+            .to_owned(),
+            "a pass of the CPU when light or casters have moved, 75 bytes a triangle".to_owned(),
         );
         list(
             "translucent casters",
@@ -293,6 +308,9 @@ impl EffectPlan {
         }
         if self.mask.is_some() {
             passes.push(PassKind::Mask);
+        }
+        if self.resolve == Resolve::Light {
+            passes.push(PassKind::LightTree);
         }
         if self.doubt_list || self.trace_all {
             passes.push(PassKind::Resolve);

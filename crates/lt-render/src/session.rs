@@ -96,7 +96,7 @@ impl Session {
     pub fn new(scene: &Scene, setup: Setup, backend: BackendKind) -> Result<Self, RenderError> {
         setup.check()?;
         let start = Instant::now();
-        let packed = pack(scene, &setup)?;
+        let packed = PackedScene::with(scene, setup.packing)?;
         let build_ms = start.elapsed().as_secs_f64() * 1e3;
         let summary = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
         let camera = camera_params(&setup, packed.root());
@@ -163,7 +163,7 @@ impl Session {
     /// As [`Session::look`]; [`RenderError::Build`] where the poses differ in more than positions.
     pub fn advance(&mut self, camera: &Camera, scene: &Scene, before: &Scene) -> Result<(), RenderError> {
         let start = Instant::now();
-        let packed = pack(scene, &self.setup)?.after(scene, before)?;
+        let packed = PackedScene::with(scene, self.setup.packing)?.after(scene, before)?;
         self.info.build_ms = start.elapsed().as_secs_f64() * 1e3;
         self.info.stats = *packed.stats();
         self.scene = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
@@ -403,13 +403,6 @@ impl Session {
             pad1: 0,
             pad2: 0,
         }
-    }
-}
-
-fn pack(scene: &Scene, setup: &Setup) -> Result<PackedScene, RenderError> {
-    match setup.traces_translucency {
-        true => PackedScene::with_translucency(scene),
-        false => PackedScene::new(scene),
     }
 }
 

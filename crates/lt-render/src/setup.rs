@@ -3,7 +3,7 @@
 use lt_math::glam::{UVec2, Vec3};
 use lt_scene::{Camera, Light, LightKind, Scene};
 
-use crate::{RenderError, technique::MAX_MAP_SIZE};
+use crate::{Packing, RenderError, technique::MAX_MAP_SIZE};
 
 /// View, light and map resolution of a session.
 #[derive(Clone, Debug)]
@@ -16,8 +16,8 @@ pub struct Setup {
     pub light: Light,
     /// Default map resolution, a multiple of 64.
     pub map_size: u32,
-    /// Whether translucent casters tint the light that passes them; else coverage is binary.
-    pub traces_translucency: bool,
+    /// How the scene is packed.
+    pub packing: Packing,
 }
 
 /// Map resolution unless told otherwise (the leak tracing paper's).
@@ -38,7 +38,7 @@ impl Setup {
             camera,
             light,
             map_size: DEFAULT_MAP_SIZE,
-            traces_translucency: false,
+            packing: Packing::default(),
         }
     }
 

@@ -91,6 +91,36 @@ pub enum Resolve {
     None,
     /// A ray through the world-space BVH, alpha-tested.
     Ray,
+    /// The same answer from a tree over the triangles in the light's own space (`lt_irregular::LightBvh`), kept while light and
+    /// casters stand still; CPU only.
+    Light,
+    /// The same answer from dividing points and triangles together (`lt_irregular::DivideAndConquer`); CPU only.
+    DivideAndConquer,
+    /// The same answer from triangles drawn at the points themselves: the alias-free shadow map of Aila and Laine 2004
+    /// (`lt_irregular::SampleMap`); CPU only.
+    AliasFree,
+}
+
+impl Resolve {
+    /// Whether it finds the truth about pixels.
+    pub fn is_exact(self) -> bool {
+        self != Resolve::None
+    }
+
+    /// Whether it works in the light's own space: on scenes packed with [`Packing::bakes_copies`](crate::Packing) alone.
+    pub fn is_in_light_space(self) -> bool {
+        matches!(self, Resolve::Light | Resolve::DivideAndConquer | Resolve::AliasFree)
+    }
+
+    /// The modifier that asks for it; none for rays, which need no asking for.
+    pub fn modifier(self) -> Option<&'static str> {
+        match self {
+            Resolve::None | Resolve::Ray => None,
+            Resolve::Light => Some("light"),
+            Resolve::DivideAndConquer => Some("dac"),
+            Resolve::AliasFree => Some("alias-free"),
+        }
+    }
 }
 
 /// Where the temporal mask may remove rays (RR).
@@ -147,7 +177,7 @@ pub struct Technique {
     pub estimate: Estimate,
     /// Where that is doubted.
     pub doubt: Doubt,
-    /// What last frame's rays make of the doubt; needs [`Resolve::Ray`].
+    /// What last frame's rays make of the doubt; needs one that [`Resolve::is_exact`].
     pub mask: Option<TemporalMask>,
     /// What answers the doubt.
     pub resolve: Resolve,
@@ -249,10 +279,20 @@ impl Technique {
     }
 
     /// The modifiers an id may carry, with a line each.
-    pub fn modifiers() -> [(&'static str, &'static str); 15] {
+    pub fn modifiers() -> [(&'static str, &'static str); 18] {
         [
             ("prefiltered", "blur a map of depth vectors instead of gathering plain depths"),
             ("eps=X", "LTT's ε, 0 < X < 0.5 (default 0.01)"),
+            (
+                "light",
+                "ray, ltt-, lt-: the rays' answers from a tree in the light's own space, kept while light and \
+                 casters stand still (CPU)",
+            ),
+            ("dac", "ray, ltt-, lt-: the same by dividing points and triangles together, nothing kept (CPU)"),
+            (
+                "alias-free",
+                "ltt-, lt-, and a technique by itself: the same by drawing triangles at the points, nothing kept (CPU)",
+            ),
             ("map=N", "map resolution, a multiple of 64 up to 16384"),
             (
                 "cascades=N",
@@ -306,6 +346,7 @@ impl Technique {
 impl fmt::Display for Technique {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.map_test() {
+            None if self.resolve == Resolve::AliasFree => write!(f, "alias-free")?,
             None => write!(f, "ray")?,
             Some((test, source)) => {
                 let prefix = match (self.doubt, self.mask) {
@@ -325,6 +366,12 @@ impl fmt::Display for Technique {
                 }
                 self.cascades.write(&self.usual_cascades(), f)?;
             }
+        }
+        match self.resolve.modifier() {
+            Some(modifier) if !(self.estimate == Estimate::None && self.resolve == Resolve::AliasFree) => {
+                write!(f, ":{modifier}")?;
+            }
+            _ => {}
         }
         if self.epsilon != LTT_EPSILON {
             write!(f, ":eps={}", self.epsilon)?;
@@ -415,8 +462,10 @@ impl FromStr for Technique {
 }
 
 fn base_technique(base: &str) -> Option<Technique> {
-    if base == "ray" {
-        return Some(Technique::RAY);
+    match base {
+        "ray" => return Some(Technique::RAY),
+        "alias-free" => return Some(Technique { resolve: Resolve::AliasFree, ..Technique::RAY }),
+        _ => {}
     }
     type Make = fn(MapTest, MapSource) -> Technique;
     let kinds: [(&str, Make); 3] =
@@ -435,6 +484,16 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
                 return Err("`prefiltered` needs a filterable map: vsm, esm, evsm, msm, msm-hausdorff".into());
             }
         },
+        "light" | "dac" | "alias-free" if technique.resolve.is_exact() => {
+            technique.resolve = match key {
+                "light" => Resolve::Light,
+                "dac" => Resolve::DivideAndConquer,
+                _ => Resolve::AliasFree,
+            };
+        }
+        "light" | "dac" | "alias-free" => {
+            return Err(format!("`{key}` needs a technique that traces rays: ray, or ltt-evsm"));
+        }
         "eps" if technique.doubt == Doubt::Ltt => {
             technique.epsilon = value
                 .parse()
@@ -518,6 +577,11 @@ mod tests {
             "ltt-evsm:cascades=1",
             "sm:cascades=3:map=512",
             "lt-esm:published",
+            "ray:light",
+            "ray:dac",
+            "alias-free",
+            "ltt-vsm:alias-free",
+            "lt-evsm:no-reuse:light:eps=0.02",
             "lt-esm:published:pattern=alternating:moving=cross",
         ] {
             assert_eq!(id.parse::<Technique>().unwrap().to_string(), id);
@@ -549,6 +613,8 @@ mod tests {
             "sm:splits=0",
             "sm:splits=1/x",
             "sm:lambda=2",
+            "evsm:light",
+            "sm:alias-free",
         ] {
             assert!(id.parse::<Technique>().unwrap_err().problem.len() > 20, "{id}");
         }

@@ -1,7 +1,7 @@
 //! Wrong pixels against time, both on logarithmic axes, with the Pareto frontier.
 
 use anyhow::anyhow;
-use lt_render::{Comparison, Resolve};
+use lt_render::Comparison;
 use plotters::{
     coord::Shift,
     prelude::*,
@@ -41,7 +41,7 @@ pub fn points(comparison: &Comparison, is_best: &[bool]) -> Vec<Point> {
             label: row.technique.to_string(),
             ms,
             wrong_ppm: row.errors.wrong_ppm(),
-            has_rays: row.technique.resolve == Resolve::Ray,
+            has_rays: row.technique.resolve.is_exact(),
             is_best,
         })
     };

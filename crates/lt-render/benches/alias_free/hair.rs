@@ -3,7 +3,7 @@
 use lt_bvh::transmitted;
 use lt_irregular::{Bounds, Casters, Counters, Options as MapOptions, SampleMap};
 use lt_math::glam::{UVec2, Vec3};
-use lt_render::{BackendKind, PackedScene, Session, Setup, Technique};
+use lt_render::{BackendKind, PackedScene, Packing, Session, Setup, Technique};
 use lt_scene::Source;
 use lt_shaders::surface::Translucence;
 use rayon::prelude::*;
@@ -38,7 +38,7 @@ pub fn measure(hairs: u32, options: &Options) -> Outcome<Row> {
     let light = session.job(&Technique::RAY).shadow.light;
     let rays = RayList::of_picture(session.samples(), SIZE, &light).rays;
     drop(session);
-    let packed = PackedScene::with_translucency(&scene)?;
+    let packed = PackedScene::with(&scene, Packing { traces_translucency: true, ..Packing::default() })?;
     let bvh = packed.translucent().ok_or("strands are translucent")?;
     let strands = Translucence {
         triangles: bvh.triangles(),

@@ -12,6 +12,7 @@ mod builds;
 mod clock;
 mod embree;
 mod judge;
+mod light;
 mod measure;
 mod obvhs_peer;
 mod options;
@@ -80,6 +81,7 @@ fn scene<A: AnyHit + Sync>(
     eprintln!("{}: building the peers' trees", place.name);
     let peer = obvhs_peer::Obvhs::new(bvh);
     let their_scene = embree.map(|e| e.scene(place, options.robust)).transpose()?;
+    let light = light::Tree::new(place)?;
     let mut rows = Vec::new();
     let mut residual = Vec::new();
     for list in [List::Primary, List::Residual] {
@@ -92,6 +94,7 @@ fn scene<A: AnyHit + Sync>(
         }
         let laid_out = their_scene.as_ref().map(|s| s.rays(&rays.rays));
         let mut ways: Vec<Box<dyn Way + '_>> = ours::ways(bvh, &rays.rays, any_hit);
+        ways.push(light.way(&rays.rays, any_hit));
         ways.extend(laid_out.iter().flat_map(|rays| rays.ways()));
         ways.extend(peer.ways(&rays.rays, any_hit));
         let label = format!("{}, {} rays, {list}", place.name, rays.rays.len());

@@ -314,10 +314,6 @@ impl Footprints {
     }
 
     /// Projects and gathers, and finds who is `OUTSIDE`.
-    #[expect(
-        clippy::needless_range_loop,
-        reason = "four texels of a footprint lie side by side: pixel by pixel"
-    )]
     #[inline(always)]
     fn fill(&mut self, rows: &Rows, p: &ShadowParams, maps: Maps<'_>, states: &mut [u32; BATCH]) {
         let mut places = Places::new();

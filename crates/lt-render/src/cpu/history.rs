@@ -40,6 +40,11 @@ pub struct Memory<'a> {
 }
 
 impl Memory<'_> {
+    /// The same for a shorter time.
+    pub fn reborrow(&mut self) -> Memory<'_> {
+        Memory { bits: self.bits, depths: self.depths }
+    }
+
     /// After the block's rays: remembers what they found.
     pub fn learn(&mut self, visibility: &[f32], is_doubted: &[bool]) {
         let pieces = visibility.as_chunks::<PIECE>().0.iter().zip(is_doubted.as_chunks::<PIECE>().0);

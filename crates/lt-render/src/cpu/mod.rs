@@ -7,6 +7,7 @@ mod asks;
 mod batch;
 mod history;
 mod kept_map;
+mod light_space;
 mod mask_batch;
 mod perspective;
 mod planes;
@@ -21,6 +22,7 @@ use std::time::Instant;
 use history::History;
 use kept_map::{Draw, StillMap};
 use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
+use lt_irregular::LightBvh;
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Vsm};
 use lt_shaders::abi::{CameraParams, FilterParams, Sample, ShadeParams};
@@ -61,6 +63,8 @@ pub struct CpuBackend {
     passes: Vec<Pass>,
     /// Times of the running frame's passes over pixels, once they have run.
     pixel_ms: Option<PixelMs>,
+    /// The tree in light space, and the light that it was built for; none after the scene has changed.
+    light_tree: Option<(Vec4, LightBvh)>,
 }
 
 /// One technique's map and history.
@@ -97,6 +101,7 @@ impl CpuBackend {
             rays: 0,
             passes: Vec::new(),
             pixel_ms: None,
+            light_tree: None,
         }
     }
 }
@@ -130,6 +135,7 @@ impl Backend for CpuBackend {
     fn replace_scene(&mut self, scene: PackedScene) -> Result<(), RenderError> {
         tracer(&scene).occluded_batch(&[Ray::default()], Opaque, &mut [false]);
         self.scene = scene;
+        self.light_tree = None;
         Ok(())
     }
 
@@ -157,6 +163,7 @@ impl Backend for CpuBackend {
     }
 
     fn begin(&mut self, job: &FrameJob) -> Result<(), RenderError> {
+        light_space::check(&self.scene, job)?;
         let map_texels = job.map.as_ref().map_or(0, |m| (m.map_size() as usize).pow(2) * m.levels.len());
         let vector_texels = if job.plan.is_prefiltered() { map_texels } else { 0 };
         self.slot = job.slot;
@@ -196,6 +203,12 @@ impl Backend for CpuBackend {
                 let at = map.texels(level);
                 blur_columns(&map.filter, &slot.rows[at.clone()], &mut slot.vectors[at]);
             }),
+            (PassKind::LightTree, ..) => {
+                let light = job.shadow.light.place;
+                if self.light_tree.as_ref().is_none_or(|(of, _)| *of != light) {
+                    self.light_tree = Some((light, light_space::tree(&self.scene, light)));
+                }
+            }
             (PassKind::Evaluate | PassKind::Mask | PassKind::Resolve, ..) => {
                 // The first of these runs all of them.
                 if self.pixel_ms.is_none() {

@@ -7,6 +7,7 @@
 use std::time::Instant;
 
 use lt_bvh::{AnyHit, Opaque, Ray, Simd, Tracer};
+use lt_irregular::{Casters, LightBvh, Scratch};
 use lt_math::glam::{Vec3, Vec4};
 use lt_math::{
     Esm, Evsm, LevelSource, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm,
@@ -20,10 +21,11 @@ use rayon::prelude::*;
 
 use super::batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
 use super::history::Memory;
+use super::light_space::{casters, occluded};
 use super::mask_batch::{BlockPixels, Frames, mask_block};
 use super::tiles::BLOCK;
 use super::{CpuBackend, coverage, milliseconds, tracer};
-use crate::{FrameJob, MapSource, MapTest, PassKind};
+use crate::{FrameJob, MapSource, MapTest, PackedScene, PassKind, Resolve};
 
 /// Times of the passes over pixels.
 #[derive(Clone, Copy, Debug, Default)]
@@ -66,9 +68,15 @@ impl CpuBackend {
             None => (None, Vec::new()),
         };
         let listen_ms = milliseconds(start);
+        let light = job.shadow.light;
+        let resolver = match (job.plan.resolve, &self.light_tree) {
+            (Resolve::DivideAndConquer | Resolve::AliasFree, _) => Resolver::Later,
+            (Resolve::Light, Some((_, tree))) => Resolver::Tree { tree, casters: casters(&self.scene) },
+            _ => Resolver::Rays(tracer(&self.scene)),
+        };
         let passes = Passes {
-            tracer: tracer(&self.scene),
-            light: job.shadow.light,
+            resolver,
+            light,
             estimator,
             frames,
             traces_all: job.plan.trace_all,
@@ -78,7 +86,7 @@ impl CpuBackend {
         memories.resize_with(self.tiles.len() / BLOCK, || None);
         let previous: &[Vec3] = if job.plan.object_motion { &self.previous } else { &[] };
         let blocks = memories
-            .into_par_iter()
+            .par_iter_mut()
             .zip(self.samples.par_chunks(BLOCK))
             .zip(self.visibility.par_chunks_mut(BLOCK))
             .zip(self.is_doubted.par_chunks_mut(BLOCK))
@@ -89,7 +97,7 @@ impl CpuBackend {
             previous: previous.get(block * BLOCK..(block + 1) * BLOCK).unwrap_or(&[]),
             visibility,
             is_doubted,
-            memory,
+            memory: memory.as_mut().map(Memory::reborrow),
         });
         let start = Instant::now();
         let totals = match job.plan.alpha_test {
@@ -98,9 +106,68 @@ impl CpuBackend {
         };
         let (wall, all) = (milliseconds(start), totals.seconds.iter().sum::<f64>());
         let [evaluate, mask, resolve] = totals.seconds.map(|s| if all > 0.0 { wall * s / all } else { 0.0 });
+        let start = Instant::now();
+        let is_later = matches!(passes.resolver, Resolver::Later);
         self.rays = totals.rays;
-        self.pixel_ms = Some(PixelMs { evaluate, mask: mask + listen_ms, resolve });
+        if is_later {
+            let later = Later { scene: &self.scene, job, samples: &self.samples };
+            self.rays = later.resolve(&mut self.visibility, &self.is_doubted, &mut memories);
+        }
+        let later_ms = if is_later { milliseconds(start) } else { 0.0 };
+        self.pixel_ms = Some(PixelMs { evaluate, mask: mask + listen_ms, resolve: resolve + later_ms });
     }
+}
+
+/// The resolve pass of resolvers that want all of a frame's rays at once.
+struct Later<'a> {
+    scene: &'a PackedScene,
+    job: &'a FrameJob,
+    samples: &'a [Sample],
+}
+
+impl Later<'_> {
+    /// Answers the doubted pixels, or every one that faces the light, and lets memories learn of it; how many they are.
+    fn resolve(
+        &self,
+        visibility: &mut [f32],
+        is_doubted: &[bool],
+        memories: &mut [Option<Memory<'_>>],
+    ) -> u64 {
+        let (light, all) = (self.job.shadow.light, self.job.plan.trace_all);
+        let asked = |i: &usize| if all { !settle(&self.samples[*i], &light).1 } else { is_doubted[*i] };
+        let pixels: Vec<usize> = (0..self.samples.len()).into_par_iter().filter(asked).collect();
+        let origins: Vec<Vec3> =
+            pixels.par_iter().map(|&i| shadow_ray(&self.samples[i], &light).origin).collect();
+        let mut is_blocked = vec![false; origins.len()];
+        let resolve = self.job.plan.resolve;
+        match self.job.plan.alpha_test {
+            true => {
+                let any_hit = coverage(self.scene, Material::CASTS);
+                occluded(self.scene, resolve, light.place, &origins, any_hit, &mut is_blocked);
+            }
+            false => occluded(self.scene, resolve, light.place, &origins, Opaque, &mut is_blocked),
+        }
+        for (&pixel, &is_blocked) in pixels.iter().zip(&is_blocked) {
+            visibility[pixel] = if is_blocked { 0.0 } else { 1.0 };
+        }
+        let blocks = visibility.par_chunks(BLOCK).zip(is_doubted.par_chunks(BLOCK)).zip(memories);
+        blocks.for_each(|((visibility, is_doubted), memory)| {
+            if let Some(memory) = memory {
+                memory.learn(visibility, is_doubted);
+            }
+        });
+        pixels.len() as u64
+    }
+}
+
+/// What answers a block's rays.
+enum Resolver<'a> {
+    /// The ray tracer.
+    Rays(Simd<'a>),
+    /// A tree in the light's own space.
+    Tree { tree: &'a LightBvh, casters: Casters<'a> },
+    /// Something that answers all blocks at once, after them.
+    Later,
 }
 
 /// A block's pixels on their way through the passes.
@@ -130,7 +197,7 @@ impl Totals {
 
 /// The passes of a frame, for any block.
 struct Passes<'a> {
-    tracer: Simd<'a>,
+    resolver: Resolver<'a>,
     light: LightParams,
     estimator: Option<Estimator<'a>>,
     frames: Option<Frames<'a>>,
@@ -182,8 +249,9 @@ impl Passes<'_> {
                 }
             }
         }
-        totals.rays = rays.trace(&self.tracer, any_hit, visibility);
-        if let Some(memory) = &mut memory {
+        let is_resolved = rays.resolve(&self.resolver, any_hit, visibility);
+        totals.rays = rays.rays.len() as u64;
+        if let (true, Some(memory)) = (is_resolved, &mut memory) {
             memory.learn(visibility, is_doubted);
         }
         let resolved = Instant::now();
@@ -199,6 +267,9 @@ struct Rays {
     pixels: Vec<usize>,
     rays: Vec<Ray>,
     is_blocked: Vec<bool>,
+    /// For a tree in light space.
+    origins: Vec<Vec3>,
+    scratch: Scratch,
 }
 
 impl Rays {
@@ -212,14 +283,23 @@ impl Rays {
         self.rays.push(ray);
     }
 
-    fn trace<A: AnyHit>(&mut self, tracer: &Simd<'_>, any_hit: A, visibility: &mut [f32]) -> u64 {
+    /// Answers them, unless that is for later; whether it did.
+    fn resolve<A: AnyHit>(&mut self, resolver: &Resolver<'_>, any_hit: A, visibility: &mut [f32]) -> bool {
         self.is_blocked.clear();
         self.is_blocked.resize(self.rays.len(), false);
-        tracer.occluded_batch(&self.rays, any_hit, &mut self.is_blocked);
+        match resolver {
+            Resolver::Later => return false,
+            Resolver::Rays(tracer) => tracer.occluded_batch(&self.rays, any_hit, &mut self.is_blocked),
+            Resolver::Tree { tree, casters } => {
+                self.origins.clear();
+                self.origins.extend(self.rays.iter().map(|r| r.origin));
+                tree.occluded(*casters, &self.origins, any_hit, &mut self.is_blocked, &mut self.scratch);
+            }
+        }
         for (&pixel, &is_blocked) in self.pixels.iter().zip(&self.is_blocked) {
             visibility[pixel] = if is_blocked { 0.0 } else { 1.0 };
         }
-        self.rays.len() as u64
+        true
     }
 }
 

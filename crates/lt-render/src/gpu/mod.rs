@@ -193,6 +193,12 @@ impl Backend for GpuBackend {
     }
 
     fn begin(&mut self, job: &FrameJob) -> Result<(), RenderError> {
+        if let Some(resolver) = job.plan.resolve.modifier() {
+            let problem = format!(
+                "has no resolver `{resolver}` yet: use --backend cpu, or rays (leave `:{resolver}` out)"
+            );
+            return Err(RenderError::Gpu { device: self.device_name.clone(), problem });
+        }
         self.recorder.prepare(&mut self.frame, job)?;
         self.restart();
         Ok(())

@@ -205,6 +205,8 @@ impl Recorder {
             PassKind::FilterX | PassKind::FilterY => self.filter(encoder, frame, kind, job),
             PassKind::Evaluate => self.evaluate(encoder, frame, job),
             PassKind::Mask => self.mask(encoder, frame, job),
+            // Refused before a frame begins.
+            PassKind::LightTree => Ok(()),
             PassKind::Resolve => self.resolve(encoder, scene, frame, job),
             PassKind::Tint => self.tint(encoder, scene, frame, job),
         }

@@ -66,6 +66,15 @@ pub enum Trees {
     Instanced(InstancedBvh),
 }
 
+/// How a scene is packed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Packing {
+    /// Translucent casters tint light: they block none of it, and have a tree of their own. Else coverage is binary.
+    pub traces_translucency: bool,
+    /// Copies become triangles of the one tree in world space, however many: what resolvers in light space need.
+    pub bakes_copies: bool,
+}
+
 /// A scene in the kernels' buffers.
 #[derive(Clone, Debug)]
 pub struct PackedScene {
@@ -81,6 +90,8 @@ pub struct PackedScene {
     stats: PackStats,
     previous_positions: Vec<Vec4>,
     translucent: Option<Bvh>,
+    /// Scenes up to this many triangles, copies counted, are baked whole.
+    bake_limit: usize,
 }
 
 impl PackedScene {
@@ -90,21 +101,19 @@ impl PackedScene {
     /// [`RenderError::Build`] for indices out of range or a singular instance transform, which importers and
     /// generators never hand over.
     pub fn new(scene: &Scene) -> Result<Self, RenderError> {
-        Self::pack(scene, false)
+        Self::with(scene, Packing::default())
     }
 
-    /// Packs a posed scene whose translucent casters tint light: they block none of it, and have a tree of their own.
+    /// Packs a posed scene in another way than the usual.
     ///
     /// # Errors
     /// As [`PackedScene::new`].
-    pub fn with_translucency(scene: &Scene) -> Result<Self, RenderError> {
-        Self::pack(scene, true)
-    }
-
-    fn pack(scene: &Scene, traces_translucency: bool) -> Result<Self, RenderError> {
+    pub fn with(scene: &Scene, packing: Packing) -> Result<Self, RenderError> {
+        let Packing { traces_translucency, bakes_copies } = packing;
+        let bake_limit = if bakes_copies { usize::MAX } else { BAKE_ALL_LIMIT };
         let textures = textures::pack(scene);
         let materials = textures::pack_materials(scene, &textures, traces_translucency);
-        let groups = meshes::group(scene, BAKE_ALL_LIMIT);
+        let groups = meshes::group(scene, bake_limit);
         let mut vertices = Vec::new();
         let mut bvhs = Vec::new();
         let mut holes = Vec::new();
@@ -154,6 +163,7 @@ impl PackedScene {
             stats,
             previous_positions: Vec::new(),
             translucent,
+            bake_limit,
         };
         packed.stats.bvh_bytes = (size_of_val(packed.nodes())
             + size_of_val(packed.triangles())
@@ -171,7 +181,7 @@ impl PackedScene {
     /// [`RenderError::Build`] where the poses have not the same instances with as many vertices each.
     pub fn after(mut self, scene: &Scene, before: &Scene) -> Result<Self, RenderError> {
         let mut positions = Vec::with_capacity(self.vertices.len());
-        for group in meshes::group(scene, BAKE_ALL_LIMIT) {
+        for group in meshes::group(scene, self.bake_limit) {
             if !meshes::push_positions(before, &group, &mut positions, scene) {
                 return Err(RenderError::Build("two poses of the scene differ in their vertices".to_owned()));
             }
