@@ -30,7 +30,7 @@ impl Walk {
     pub const ALL: [Walk; 2] = [Walk::Tiles, Walk::Streams];
 }
 
-/// A tree per view of a light; see the [module](self).
+/// A tree over the triangles in light space, one per view of a light, for a light and casters that stand still.
 #[derive(Clone, Debug)]
 pub struct LightBvh {
     light: Vec4,

@@ -61,7 +61,11 @@ pub(crate) enum Rays {
     Converging { light: Vec3 },
 }
 
-/// One light, or one of the six faces of a light with a position; see the [module](self).
+/// One light, or one of the six faces of a light with a position: maps shadow rays to points (X, Y, Z), and triangles to planes affine
+/// in X and Y.
+///
+/// X and Y are the ray tracer's sheared coordinates under a sun, the slopes of the ray under a light with a position; Z grows towards the
+/// light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     pub(crate) rays: Rays,

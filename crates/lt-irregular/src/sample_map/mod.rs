@@ -77,7 +77,7 @@ impl AddAssign for Counters {
     }
 }
 
-/// Samples in the order of a tree per view of a light; see the [module](self).
+/// The alias-free shadow map of Aila and Laine (2004): samples in a tree per view of a light, which every triangle walks.
 #[derive(Clone, Debug)]
 pub struct SampleMap {
     light: Vec4,
