@@ -30,6 +30,11 @@ pub struct Ray {
     pub tmax: f32,
 }
 
+#[inline(always)]
+fn is_bounded(magnitudes: Vec3) -> bool {
+    magnitudes.x < COORDINATE_LIMIT && magnitudes.y < COORDINATE_LIMIT && magnitudes.z < COORDINATE_LIMIT
+}
+
 impl Ray {
     /// The ray from `origin` along `direction` without an end: 0 < t < [`FAR`].
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
@@ -47,14 +52,14 @@ impl Ray {
     /// Whether every number is usable; see [`Ray`].
     #[inline(always)]
     pub fn is_valid(&self) -> bool {
-        let (o, d) = (self.origin.abs(), self.direction.abs());
-        let bounded = o.x < COORDINATE_LIMIT
-            && o.y < COORDINATE_LIMIT
-            && o.z < COORDINATE_LIMIT
-            && d.x < COORDINATE_LIMIT
-            && d.y < COORDINATE_LIMIT
-            && d.z < COORDINATE_LIMIT;
-        bounded && (d.x > 0.0 || d.y > 0.0 || d.z > 0.0)
+        let d = self.direction.abs();
+        self.starts_validly() && is_bounded(d) && (d.x > 0.0 || d.y > 0.0 || d.z > 0.0)
+    }
+
+    /// Whether the numbers of the origin are usable.
+    #[inline(always)]
+    pub(crate) fn starts_validly(&self) -> bool {
+        is_bounded(self.origin.abs())
     }
 }
 

@@ -24,7 +24,7 @@ pub(crate) const LEAST_COMPONENT: f32 = 1.0 / 1_099_511_627_776.0;
 #[derive(Clone, Copy)]
 pub(crate) struct Slab {
     pub origin: Vec3,
-    /// Reciprocal direction, every component finite and not 0.
+    /// See [`finite_inverse`].
     pub inverse: Vec3,
     /// Node margin in units of t per axis.
     pub node_margin: Vec3,
@@ -48,6 +48,23 @@ fn finite_reciprocal(d: f32, least: f32) -> f32 {
     if d < 0.0 { -1.0 / magnitude } else { 1.0 / magnitude }
 }
 
+/// The reciprocals of a valid direction's components, every one finite and not 0.
+#[inline(always)]
+pub(crate) fn finite_inverse(direction: Vec3) -> Vec3 {
+    let least = largest(direction.abs()) * LEAST_COMPONENT;
+    Vec3::new(
+        finite_reciprocal(direction.x, least),
+        finite_reciprocal(direction.y, least),
+        finite_reciprocal(direction.z, least),
+    )
+}
+
+/// The greater of two numbers; one instruction, where `max` takes three to make good for NaN.
+#[inline(always)]
+fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
 #[inline(always)]
 pub(crate) fn largest(v: Vec3) -> f32 {
     v.x.max(v.y).max(v.z)
@@ -57,15 +74,19 @@ impl Slab {
     /// Prepares a valid ray for a tree whose root box is `low` to `high`.
     #[inline(always)]
     pub fn new(ray: &Ray, low: Vec3, high: Vec3) -> Self {
-        let least = largest(ray.direction.abs()) * LEAST_COMPONENT;
-        let inverse = Vec3::new(
-            finite_reciprocal(ray.direction.x, least),
-            finite_reciprocal(ray.direction.y, least),
-            finite_reciprocal(ray.direction.z, least),
-        );
-        let reach = largest((low - ray.origin).abs().max((high - ray.origin).abs()));
+        Self::from_inverse(ray.origin, finite_inverse(ray.direction), low, high)
+    }
+
+    /// The same from the direction's [`finite_inverse`].
+    #[inline(always)]
+    pub fn from_inverse(origin: Vec3, inverse: Vec3, low: Vec3, high: Vec3) -> Self {
+        let (to_low, to_high) = ((low - origin).abs(), (high - origin).abs());
+        let x = greater(to_low.x, to_high.x);
+        let y = greater(to_low.y, to_high.y);
+        let z = greater(to_low.z, to_high.z);
+        let reach = greater(greater(x, y), z);
         Slab {
-            origin: ray.origin,
+            origin,
             inverse,
             node_margin: inverse.abs() * (reach * NODE_MARGIN),
             triangle_margin: inverse.abs() * (reach * TRIANGLE_MARGIN),

@@ -117,7 +117,13 @@ impl Shear {
     /// Prepares a valid ray.
     #[inline(always)]
     pub fn new(ray: &Ray) -> Self {
-        let d = ray.direction.abs();
+        Self::along(ray.origin, ray.direction)
+    }
+
+    /// Prepares a ray from its parts.
+    #[inline(always)]
+    pub fn along(origin: Vec3, direction: Vec3) -> Self {
+        let d = direction.abs();
         let axis = if d.x >= d.y && d.x >= d.z {
             0
         } else if d.y >= d.z {
@@ -125,8 +131,8 @@ impl Shear {
         } else {
             2
         };
-        let p = permute(ray.direction, axis);
-        Shear { origin: ray.origin, axis, x: p.x / p.z, y: p.y / p.z, z: 1.0 / p.z }
+        let p = permute(direction, axis);
+        Shear { origin, axis, x: p.x / p.z, y: p.y / p.z, z: 1.0 / p.z }
     }
 
     /// x and y of a vertex in the ray's frame.

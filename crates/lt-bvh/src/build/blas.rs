@@ -67,8 +67,8 @@ impl Wide {
 /// Vertices that may be named: the top bit of an index is [`Triangle::NON_OPAQUE`].
 const INDEX_LIMIT: usize = 1 << 31;
 
-/// Triangles of one tree: the SIMD tree names a block by its first word in 31 bits, and a triangle alone takes eleven.
-const TRIANGLE_LIMIT: usize = (1 << 31) / 11;
+/// Triangles of one tree: what the link of a block of the SIMD tree can count.
+const TRIANGLE_LIMIT: usize = crate::simd::MOST_TRIANGLES;
 
 /// What becomes of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

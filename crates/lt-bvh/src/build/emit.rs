@@ -25,8 +25,6 @@ pub(crate) enum Held<'a> {
         primitives: &'a [u32],
         /// Index among all primitives of the first of them.
         first: u32,
-        /// Sum of the sizes of all leaves before it; see [`Encoder::leaf_size`].
-        position: u32,
     },
 }
 
@@ -37,9 +35,6 @@ pub(crate) trait Encoder: Sync {
 
     /// The slots in which children lie, and in which order leaves and inner nodes are numbered.
     fn arrange(&self, children: &[WideChild], bounds: &[Bounds]) -> [Option<WideChild>; WIDTH];
-
-    /// How far a leaf of so many primitives moves the position of the next one.
-    fn leaf_size(&self, primitives: usize) -> u32;
 
     /// A node whose first inner child and first primitive have these indices.
     fn encode(
@@ -57,8 +52,6 @@ pub(crate) struct Emitted<N> {
     pub primitives: Vec<u32>,
     /// One past each leaf's last primitive.
     pub leaf_ends: Vec<u32>,
-    /// Sum of the sizes of all leaves.
-    pub size: u32,
     /// Levels, counting the root.
     pub depth: usize,
 }
@@ -69,7 +62,6 @@ struct Extent {
     nodes: usize,
     primitives: usize,
     leaves: usize,
-    size: u32,
 }
 
 impl Extent {
@@ -78,7 +70,6 @@ impl Extent {
             nodes: self.nodes + other.nodes,
             primitives: self.primitives + other.primitives,
             leaves: self.leaves + other.leaves,
-            size: self.size + other.size,
         }
     }
 }
@@ -173,7 +164,6 @@ impl<N: Zeroable> Emitted<N> {
             nodes: memory::zeroed(extent.nodes),
             primitives: memory::zeroed(extent.primitives),
             leaf_ends: memory::zeroed(extent.leaves),
-            size: extent.size,
             depth: 0,
         }
     }
@@ -218,7 +208,6 @@ impl<E: Encoder> Emitter<'_, E> {
                     let held = self.tree.count_under(child.binary);
                     count.primitives += held;
                     count.leaves += 1;
-                    count.size += self.encoder.leaf_size(held);
                 }
             }
         }
@@ -246,7 +235,6 @@ impl<E: Encoder> Emitter<'_, E> {
                 next.primitives += held;
                 leaf_ends[next.leaves - start.leaves] = next.primitives as u32;
                 next.leaves += 1;
-                next.size += self.encoder.leaf_size(held);
             }
             let mut leaf = first;
             let slots = slots.map(|child| {
@@ -259,11 +247,10 @@ impl<E: Encoder> Emitter<'_, E> {
                 } else {
                     let end = leaf_ends[leaf.leaves - start.leaves] as usize;
                     let within = leaf.primitives - start.primitives..end - start.primitives;
-                    let (first, position) = (leaf.primitives as u32, leaf.size);
-                    leaf.size += self.encoder.leaf_size(within.len());
+                    let first = leaf.primitives as u32;
                     leaf.primitives = end;
                     leaf.leaves += 1;
-                    Held::Leaf { primitives: &primitives[within], first, position }
+                    Held::Leaf { primitives: &primitives[within], first }
                 };
                 Some((self.bounds[child.binary as usize], held))
             });

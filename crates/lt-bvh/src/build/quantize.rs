@@ -46,10 +46,6 @@ impl Encoder for Quantizer {
         slots
     }
 
-    fn leaf_size(&self, primitives: usize) -> u32 {
-        primitives as u32
-    }
-
     fn encode(&self, slots: &[Option<(Bounds, Held)>; WIDTH], first_node: u32, first_primitive: u32) -> Node {
         let mut meta = [0u8; WIDTH];
         let mut inner_mask = 0;
@@ -60,7 +56,7 @@ impl Encoder for Quantizer {
                     inner_mask |= 1 << slot;
                     0b0010_0000 | (24 + slot as u8)
                 }
-                Some((_, Held::Leaf { primitives, first, .. })) => {
+                Some((_, Held::Leaf { primitives, first })) => {
                     (((1 << primitives.len()) - 1) << 5) as u8 | (first - first_primitive) as u8
                 }
             };

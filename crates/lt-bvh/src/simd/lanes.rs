@@ -166,7 +166,7 @@ pub(crate) mod x86 {
     use super::{Lanes, NodeLanes, add_to_sets};
     use core::arch::x86_64::*;
 
-    /// Proof that the processor has AVX2, FMA, and the bit counting that came with them (BMI1, BMI2, POPCNT).
+    /// Proof that the processor has AVX2, FMA, and the bit counting that came with them (BMI1, BMI2, LZCNT, POPCNT).
     #[derive(Clone, Copy)]
     pub(crate) struct Avx2(());
 
@@ -184,6 +184,7 @@ pub(crate) mod x86 {
                 && std::is_x86_feature_detected!("fma")
                 && std::is_x86_feature_detected!("bmi1")
                 && std::is_x86_feature_detected!("bmi2")
+                && std::is_x86_feature_detected!("lzcnt")
                 && std::is_x86_feature_detected!("popcnt");
             has.then_some(Avx2(()))
         }

@@ -1,14 +1,14 @@
 //! How the SIMD tracer's nodes are written.
 
-use super::tree::{LEAF, NO_CHILD, WideNode};
+use super::tree::{LEAF, NO_CHILD, WideNode, block_link};
 use crate::build::{Bounds, Encoder, Held, WIDTH, WideChild};
 use lt_math::glam::Vec3;
 
 /// What the link of a leaf says.
 #[derive(Clone, Copy)]
 pub(crate) enum LeafLink {
-    /// Sum of the sizes of the leaves before it, the size being this function of how many primitives a leaf holds.
-    Position(fn(usize) -> u32),
+    /// Its block: see [`block_link`].
+    Block,
     /// The one primitive that it holds.
     Primitive,
 }
@@ -33,13 +33,6 @@ impl Encoder for WideLayout {
         sorted.map(|slot| slot.map(|(_, child)| child))
     }
 
-    fn leaf_size(&self, primitives: usize) -> u32 {
-        match self.link {
-            LeafLink::Position(size) => size(primitives),
-            LeafLink::Primitive => 0,
-        }
-    }
-
     fn encode(&self, slots: &[Option<(Bounds, Held)>; WIDTH], _: u32, _: u32) -> WideNode {
         let mut node = NO_CHILD;
         for (lane, content) in slots.iter().enumerate() {
@@ -47,7 +40,7 @@ impl Encoder for WideLayout {
             node.set_box(lane, bounds, self.base);
             node.children[lane] = match (held, self.link) {
                 (Held::Inner(node), _) => *node,
-                (Held::Leaf { position, .. }, LeafLink::Position(_)) => LEAF | position,
+                (Held::Leaf { primitives, first }, LeafLink::Block) => block_link(*first, primitives.len()),
                 (Held::Leaf { primitives, .. }, LeafLink::Primitive) => LEAF | primitives[0],
             };
         }

@@ -18,14 +18,14 @@ use crate::tracer::Tracer;
 use lanes::{NodeLanes, Portable};
 use std::vec::Vec;
 use traverse::{Instanced, Scratch};
-pub(crate) use tree::{Part, SimdTree};
+pub(crate) use tree::{MOST_TRIANGLES, Part, SimdTree};
 
 /// Instruction sets that the SIMD tracer knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SimdLevel {
     /// What every processor of the target has.
     Portable,
-    /// AVX2 and FMA, BMI1, BMI2 and POPCNT.
+    /// AVX2 and FMA, BMI1, BMI2, LZCNT and POPCNT.
     Avx2,
     /// AVX-512F and AVX-512VL besides.
     Avx512,
@@ -138,93 +138,128 @@ impl<'a> Simd<'a> {
     }
 }
 
-/// A batch of rays and what is asked of it.
+/// A batch of rays, what is traced and what is asked. Each kind is compiled by itself: in one function for all of them, inner loops
+/// would keep in memory what fits into registers.
 trait Batch {
-    fn run<L: NodeLanes>(self, lanes: L, scene: &Scene);
+    fn run<L: NodeLanes>(self, lanes: L);
 }
 
-struct Occluded<'b, A> {
+/// What is traced, as batches take it.
+#[derive(Clone, Copy)]
+enum View<'a> {
+    World(Part<'a>),
+    Instanced(Instanced<'a>),
+}
+
+/// Occlusion of rays one by one.
+struct OccludedSingly<'b, S, A> {
+    scene: S,
     rays: &'b [Ray],
     any_hit: A,
     out: &'b mut [bool],
-    grouping: Grouping,
 }
 
-impl<A: AnyHit> Batch for Occluded<'_, A> {
+impl<A: AnyHit> Batch for OccludedSingly<'_, Part<'_>, A> {
     #[inline(always)]
-    fn run<L: NodeLanes>(self, lanes: L, scene: &Scene) {
+    fn run<L: NodeLanes>(self, lanes: L) {
         let mut scratch = Scratch::new();
-        match scene {
-            Scene::World(part) if self.grouping == Grouping::Packets => {
-                packet_walk::occluded(lanes, *part, self.rays, self.any_hit, self.out);
-            }
-            Scene::Instanced { scene, tlas, parts } if self.grouping == Grouping::Packets => {
-                let view = Instanced { tlas, instances: scene.instances(), parts };
-                packet_walk::occluded_instanced(lanes, view, self.rays, self.any_hit, self.out);
-            }
-            Scene::World(part) => {
-                for (ray, out) in self.rays.iter().zip(self.out) {
-                    *out = traverse::occluded(lanes, *part, *ray, self.any_hit, &mut scratch);
-                }
-            }
-            Scene::Instanced { scene, tlas, parts } => {
-                let view = Instanced { tlas, instances: scene.instances(), parts };
-                for (ray, out) in self.rays.iter().zip(self.out) {
-                    *out = traverse::occluded_instanced(lanes, view, *ray, self.any_hit, &mut scratch);
-                }
-            }
+        for (ray, out) in self.rays.iter().zip(self.out) {
+            *out = traverse::occluded(lanes, self.scene, *ray, self.any_hit, &mut scratch);
         }
     }
 }
 
-struct Closest<'b, A> {
+impl<A: AnyHit> Batch for OccludedSingly<'_, Instanced<'_>, A> {
+    #[inline(always)]
+    fn run<L: NodeLanes>(self, lanes: L) {
+        let mut scratch = Scratch::new();
+        for (ray, out) in self.rays.iter().zip(self.out) {
+            *out = traverse::occluded_instanced(lanes, self.scene, *ray, self.any_hit, &mut scratch);
+        }
+    }
+}
+
+/// Occlusion of rays in packets.
+struct OccludedInPackets<'b, S, A> {
+    scene: S,
+    rays: &'b [Ray],
+    any_hit: A,
+    out: &'b mut [bool],
+}
+
+impl<A: AnyHit> Batch for OccludedInPackets<'_, Part<'_>, A> {
+    #[inline(always)]
+    fn run<L: NodeLanes>(self, lanes: L) {
+        packet_walk::occluded(lanes, self.scene, self.rays, self.any_hit, self.out);
+    }
+}
+
+impl<A: AnyHit> Batch for OccludedInPackets<'_, Instanced<'_>, A> {
+    #[inline(always)]
+    fn run<L: NodeLanes>(self, lanes: L) {
+        packet_walk::occluded_instanced(lanes, self.scene, self.rays, self.any_hit, self.out);
+    }
+}
+
+/// Nearest hits.
+struct Closest<'b, S, A> {
+    scene: S,
     rays: &'b [Ray],
     any_hit: A,
     out: &'b mut [Hit],
 }
 
-impl<A: AnyHit> Batch for Closest<'_, A> {
+impl<A: AnyHit> Batch for Closest<'_, Part<'_>, A> {
     #[inline(always)]
-    fn run<L: NodeLanes>(self, lanes: L, scene: &Scene) {
+    fn run<L: NodeLanes>(self, lanes: L) {
         let mut scratch = Scratch::new();
-        match scene {
-            Scene::World(part) => {
-                for (ray, out) in self.rays.iter().zip(self.out) {
-                    *out = traverse::closest(lanes, *part, *ray, self.any_hit, &mut scratch);
-                }
-            }
-            Scene::Instanced { scene, tlas, parts } => {
-                let view = Instanced { tlas, instances: scene.instances(), parts };
-                for (ray, out) in self.rays.iter().zip(self.out) {
-                    *out = traverse::closest_instanced(lanes, view, *ray, self.any_hit, &mut scratch);
-                }
-            }
+        for (ray, out) in self.rays.iter().zip(self.out) {
+            *out = traverse::closest(lanes, self.scene, *ray, self.any_hit, &mut scratch);
+        }
+    }
+}
+
+impl<A: AnyHit> Batch for Closest<'_, Instanced<'_>, A> {
+    #[inline(always)]
+    fn run<L: NodeLanes>(self, lanes: L) {
+        let mut scratch = Scratch::new();
+        for (ray, out) in self.rays.iter().zip(self.out) {
+            *out = traverse::closest_instanced(lanes, self.scene, *ray, self.any_hit, &mut scratch);
         }
     }
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma,bmi1,bmi2,popcnt")]
-fn run_avx2<B: Batch>(lanes: lanes::x86::Avx2, batch: B, scene: &Scene) {
-    batch.run(lanes, scene);
+#[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+fn run_avx2<B: Batch>(lanes: lanes::x86::Avx2, batch: B) {
+    batch.run(lanes);
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx2,fma,bmi1,bmi2,popcnt")]
-fn run_avx512<B: Batch>(lanes: lanes::x86::Avx512, batch: B, scene: &Scene) {
-    batch.run(lanes, scene);
+#[target_feature(enable = "avx512f,avx512vl,avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+fn run_avx512<B: Batch>(lanes: lanes::x86::Avx512, batch: B) {
+    batch.run(lanes);
 }
 
 impl Simd<'_> {
+    fn view(&self) -> View<'_> {
+        match &self.scene {
+            Scene::World(part) => View::World(*part),
+            Scene::Instanced { scene, tlas, parts } => {
+                View::Instanced(Instanced { tlas, instances: scene.instances(), parts })
+            }
+        }
+    }
+
     fn run<B: Batch>(&self, batch: B) {
         match self.chosen {
-            Chosen::Portable(lanes) => batch.run(lanes, &self.scene),
+            Chosen::Portable(lanes) => batch.run(lanes),
             #[cfg(target_arch = "x86_64")]
             // SAFETY: the token proves that the processor has the features enabled there.
-            Chosen::Avx2(lanes) => unsafe { run_avx2(lanes, batch, &self.scene) },
+            Chosen::Avx2(lanes) => unsafe { run_avx2(lanes, batch) },
             #[cfg(target_arch = "x86_64")]
             // SAFETY: the token proves that the processor has the features enabled there.
-            Chosen::Avx512(lanes) => unsafe { run_avx512(lanes, batch, &self.scene) },
+            Chosen::Avx512(lanes) => unsafe { run_avx512(lanes, batch) },
         }
     }
 }
@@ -233,10 +268,24 @@ impl Tracer for Simd<'_> {
     fn occluded_batch<A: AnyHit>(&self, rays: &[Ray], any_hit: A, out: &mut [bool]) {
         let len = rays.len().min(out.len());
         let (rays, out) = (&rays[..len], &mut out[..len]);
-        self.run(Occluded { rays, any_hit, out, grouping: self.grouping });
+        match (self.view(), self.grouping) {
+            (View::World(scene), Grouping::Single) => self.run(OccludedSingly { scene, rays, any_hit, out }),
+            (View::World(scene), Grouping::Packets) => {
+                self.run(OccludedInPackets { scene, rays, any_hit, out })
+            }
+            (View::Instanced(scene), Grouping::Single) => {
+                self.run(OccludedSingly { scene, rays, any_hit, out })
+            }
+            (View::Instanced(scene), Grouping::Packets) => {
+                self.run(OccludedInPackets { scene, rays, any_hit, out });
+            }
+        }
     }
 
     fn closest_batch<A: AnyHit>(&self, rays: &[Ray], any_hit: A, out: &mut [Hit]) {
-        self.run(Closest { rays, any_hit, out });
+        match self.view() {
+            View::World(scene) => self.run(Closest { scene, rays, any_hit, out }),
+            View::Instanced(scene) => self.run(Closest { scene, rays, any_hit, out }),
+        }
     }
 }

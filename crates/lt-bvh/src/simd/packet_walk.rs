@@ -91,7 +91,8 @@ impl<L: NodeLanes, A: AnyHit> Leaves<L> for Triangles<'_, '_, A> {
         let rays = lanes.rays();
         let block = self.part.tree.block(link);
         // What either way costs is the number of its tests.
-        if mask.count_ones() < Packet::groups_of::<L::Rays>(mask) * block.len() as u32 {
+        let are_few = mask.count_ones() < Packet::groups_of::<L::Rays>(mask) * block.len() as u32;
+        if are_few && !packet.is_parallel() {
             let (mut rest, mut found) = (mask, 0);
             while rest != 0 {
                 let prepared: Prepared<L> = packet.single(lanes, rest.trailing_zeros() as usize);
@@ -102,17 +103,19 @@ impl<L: NodeLanes, A: AnyHit> Leaves<L> for Triangles<'_, '_, A> {
             }
             return found;
         }
+        let may_hit = if are_few { packet.may_hit(lanes, block, mask) } else { [mask; 8] };
         let mut alive = mask;
-        for lane in 0..block.len() {
-            if alive == 0 {
-                break;
+        for (lane, may_hit) in may_hit.into_iter().enumerate().take(block.len()) {
+            let near = alive & may_hit;
+            if near == 0 {
+                continue;
             }
             if A::IS_OPAQUE || !block.asks(lane) {
-                alive &= !packet.hits::<_, false>(rays, block, lane, alive, self.weights);
+                alive &= !packet.hits::<_, false>(rays, block, lane, near, self.weights);
                 continue;
             }
             let index = self.part.first_triangle + block.triangle(lane);
-            let mut candidates = packet.hits::<_, true>(rays, block, lane, alive, self.weights);
+            let mut candidates = packet.hits::<_, true>(rays, block, lane, near, self.weights);
             while candidates != 0 {
                 let ray = candidates.trailing_zeros() as usize & (PACKET - 1);
                 candidates &= candidates - 1;

@@ -8,7 +8,7 @@ use super::lanes::NodeLanes;
 use super::tree::{Block, Part, WideNode};
 use crate::any_hit::AnyHit;
 use crate::ray::{Hit, Ray};
-use crate::slab::{Slab, Span};
+use crate::slab::{Slab, Span, finite_inverse};
 use crate::triangle::{Shear, is_nearer};
 use lt_math::glam::Vec3;
 
@@ -79,49 +79,46 @@ impl<L: NodeLanes> BoxRay<L> {
     }
 }
 
-/// A ray spread over lanes for the triangle test.
+/// A ray as the triangle test of eight lanes needs it.
 #[derive(Clone, Copy)]
-struct TriangleRay<L: NodeLanes> {
+struct TriangleRay {
+    /// The axes that become x, y and z, and the origin along them.
     axes: [usize; 3],
-    origin: [L::F; 3],
-    x: L::F,
-    y: L::F,
-    z: L::F,
-    tmin: L::F,
-    tmax: L::F,
+    origin: [f32; 3],
+    x: f32,
+    y: f32,
+    z: f32,
+    tmin: f32,
+    tmax: f32,
 }
 
-impl<L: NodeLanes> TriangleRay<L> {
+/// One vertex of eight triangles, in the axes of a ray.
+type Vertex<F> = [F; 3];
+
+impl TriangleRay {
     #[inline(always)]
-    fn new(lanes: L, shear: &Shear, ray: &Ray) -> Self {
-        let z = shear.axis as usize;
-        let axes = if z == 0 {
-            [1, 2, 0]
-        } else if z == 1 {
-            [2, 0, 1]
-        } else {
-            [0, 1, 2]
-        };
+    fn new(shear: &Shear, ray: &Ray) -> Self {
         let o = shear.origin;
-        let permuted = Vec3::new(o[axes[0]], o[axes[1]], o[axes[2]]);
-        TriangleRay {
-            axes,
-            origin: spread(lanes, permuted),
-            x: lanes.splat(shear.x),
-            y: lanes.splat(shear.y),
-            z: lanes.splat(shear.z),
-            tmin: lanes.splat(ray.tmin),
-            tmax: lanes.splat(ray.tmax),
-        }
+        let (axes, origin) = if shear.axis == 0 {
+            ([1, 2, 0], [o.y, o.z, o.x])
+        } else if shear.axis == 1 {
+            ([2, 0, 1], [o.z, o.x, o.y])
+        } else {
+            ([0, 1, 2], [o.x, o.y, o.z])
+        };
+        TriangleRay { axes, origin, x: shear.x, y: shear.y, z: shear.z, tmin: ray.tmin, tmax: ray.tmax }
     }
 
     /// The triangles of a block that pass the kernel's arithmetic but for its test of their own boxes: at least all
     /// that the ray hits.
     #[inline(always)]
-    fn test(&self, lanes: L, block: Block) -> u32 {
-        let a = self.project(lanes, block, 0);
-        let b = self.project(lanes, block, 1);
-        let c = self.project(lanes, block, 2);
+    fn test<L: NodeLanes>(&self, lanes: L, block: Block) -> u32 {
+        let rows = [block.rows(self.axes[0]), block.rows(self.axes[1]), block.rows(self.axes[2])];
+        let vertex = [vertex(lanes, rows, 0), vertex(lanes, rows, 1), vertex(lanes, rows, 2)];
+        let origin = [lanes.splat(self.origin[0]), lanes.splat(self.origin[1]), lanes.splat(self.origin[2])];
+        let a = self.project(lanes, vertex[0], origin);
+        let b = self.project(lanes, vertex[1], origin);
+        let c = self.project(lanes, vertex[2], origin);
         let (u, v, w) = (cross(lanes, c, b), cross(lanes, a, c), cross(lanes, b, a));
         let zero = lanes.splat(0.0);
         let least = lanes.min(lanes.min(u, v), w);
@@ -130,48 +127,42 @@ impl<L: NodeLanes> TriangleRay<L> {
         if inside == 0 {
             return 0;
         }
-        let t = self.plane_t(lanes, block);
-        inside & lanes.le(self.tmin, t) & lanes.le(t, self.tmax)
+        let t = self.plane_t(lanes, vertex, origin);
+        inside & lanes.le(lanes.splat(self.tmin), t) & lanes.le(t, lanes.splat(self.tmax))
     }
 
     /// t of the planes of eight triangles, by the kernel's arithmetic.
     #[inline(always)]
-    fn plane_t(&self, lanes: L, block: Block) -> L::F {
-        let [x, y, z] = self.axes;
-        let (v0x, v0y, v0z) =
-            (lanes.load(block.row(0, x)), lanes.load(block.row(0, y)), lanes.load(block.row(0, z)));
-        let (ex, ey, ez) = (
-            lanes.sub(lanes.load(block.row(1, x)), v0x),
-            lanes.sub(lanes.load(block.row(1, y)), v0y),
-            lanes.sub(lanes.load(block.row(1, z)), v0z),
-        );
-        let (fx, fy, fz) = (
-            lanes.sub(lanes.load(block.row(2, x)), v0x),
-            lanes.sub(lanes.load(block.row(2, y)), v0y),
-            lanes.sub(lanes.load(block.row(2, z)), v0z),
-        );
+    fn plane_t<L: NodeLanes>(&self, lanes: L, [v0, v1, v2]: [Vertex<L::F>; 3], origin: Vertex<L::F>) -> L::F {
+        let [ex, ey, ez] = difference(lanes, v1, v0);
+        let [fx, fy, fz] = difference(lanes, v2, v0);
         let nx = lanes.sub(lanes.mul(ey, fz), lanes.mul(ez, fy));
         let ny = lanes.sub(lanes.mul(ez, fx), lanes.mul(ex, fz));
         let nz = lanes.sub(lanes.mul(ex, fy), lanes.mul(ey, fx));
-        let distance = lanes.add(
-            lanes.add(
-                lanes.mul(nx, lanes.sub(v0x, self.origin[0])),
-                lanes.mul(ny, lanes.sub(v0y, self.origin[1])),
-            ),
-            lanes.mul(nz, lanes.sub(v0z, self.origin[2])),
-        );
-        let slope = lanes.add(lanes.add(lanes.mul(nx, self.x), lanes.mul(ny, self.y)), nz);
-        lanes.div(lanes.mul(self.z, distance), slope)
+        let [x, y, z] = difference(lanes, v0, origin);
+        let distance = lanes.add(lanes.add(lanes.mul(nx, x), lanes.mul(ny, y)), lanes.mul(nz, z));
+        let (sx, sy) = (lanes.splat(self.x), lanes.splat(self.y));
+        let slope = lanes.add(lanes.add(lanes.mul(nx, sx), lanes.mul(ny, sy)), nz);
+        lanes.div(lanes.mul(lanes.splat(self.z), distance), slope)
     }
 
     /// x and y of eight vertices in the ray's frame, by the kernel's arithmetic.
     #[inline(always)]
-    fn project(&self, lanes: L, block: Block, vertex: usize) -> (L::F, L::F) {
-        let depth = lanes.sub(lanes.load(block.row(vertex, self.axes[2])), self.origin[2]);
-        let x = lanes.sub(lanes.load(block.row(vertex, self.axes[0])), self.origin[0]);
-        let y = lanes.sub(lanes.load(block.row(vertex, self.axes[1])), self.origin[1]);
-        (lanes.sub(x, lanes.mul(self.x, depth)), lanes.sub(y, lanes.mul(self.y, depth)))
+    fn project<L: NodeLanes>(&self, lanes: L, vertex: Vertex<L::F>, origin: Vertex<L::F>) -> (L::F, L::F) {
+        let [x, y, depth] = difference(lanes, vertex, origin);
+        let (sx, sy) = (lanes.splat(self.x), lanes.splat(self.y));
+        (lanes.sub(x, lanes.mul(sx, depth)), lanes.sub(y, lanes.mul(sy, depth)))
     }
+}
+
+#[inline(always)]
+fn vertex<L: NodeLanes>(lanes: L, rows: [[&[f32]; 3]; 3], vertex: usize) -> Vertex<L::F> {
+    [lanes.load(rows[0][vertex]), lanes.load(rows[1][vertex]), lanes.load(rows[2][vertex])]
+}
+
+#[inline(always)]
+fn difference<L: NodeLanes>(lanes: L, p: Vertex<L::F>, q: Vertex<L::F>) -> Vertex<L::F> {
+    [lanes.sub(p[0], q[0]), lanes.sub(p[1], q[1]), lanes.sub(p[2], q[2])]
 }
 
 /// The kernel's edge function by the direct formula: the same value, in other order of vertices too.
@@ -180,11 +171,35 @@ fn cross<L: NodeLanes>(lanes: L, p: (L::F, L::F), q: (L::F, L::F)) -> L::F {
     lanes.sub(lanes.mul(p.0, q.1), lanes.mul(p.1, q.0))
 }
 
+/// What follows from a direction alone: rays to a sun share it.
+#[derive(Clone, Copy)]
+pub(crate) struct Aim {
+    direction: Vec3,
+    inverse: Vec3,
+    /// Of a ray from the origin.
+    shear: Shear,
+}
+
+impl Aim {
+    /// Along a valid direction.
+    #[inline(always)]
+    pub fn new(direction: Vec3) -> Self {
+        Aim { direction, inverse: finite_inverse(direction), shear: Shear::along(Vec3::ZERO, direction) }
+    }
+
+    /// Whether it is that of a ray.
+    #[inline(always)]
+    pub fn is_of(&self, ray: &Ray) -> bool {
+        self.direction == ray.direction
+    }
+}
+
 /// A ray ready for one tree.
 pub(crate) struct Prepared<L: NodeLanes> {
     pub ray: Ray,
     slab: Slab,
     shear: Shear,
+    triangles: TriangleRay,
     pub boxes: BoxRay<L>,
     window: Span,
 }
@@ -192,23 +207,29 @@ pub(crate) struct Prepared<L: NodeLanes> {
 impl<L: NodeLanes> Prepared<L> {
     #[inline(always)]
     pub fn new(lanes: L, ray: Ray, tree: &super::tree::SimdTree, window: Span) -> Self {
-        let slab = Slab::new(&ray, tree.low, tree.high);
-        let shear = Shear::new(&ray);
+        Self::aimed(lanes, &Aim::new(ray.direction), ray, tree, window)
+    }
+
+    /// The same, given its aim.
+    #[inline(always)]
+    pub fn aimed(lanes: L, aim: &Aim, ray: Ray, tree: &super::tree::SimdTree, window: Span) -> Self {
+        let slab = Slab::from_inverse(ray.origin, aim.inverse, tree.low, tree.high);
+        let shear = Shear { origin: ray.origin, ..aim.shear };
         let boxes = BoxRay::new(lanes, &slab, tree.base, ray.tmin);
-        Prepared { ray, slab, shear, boxes, window }
+        Self::from_parts(ray, slab, shear, boxes, window)
     }
 
     /// From what is prepared already.
     #[inline(always)]
     pub fn from_parts(ray: Ray, slab: Slab, shear: Shear, boxes: BoxRay<L>, window: Span) -> Self {
-        Prepared { ray, slab, shear, boxes, window }
+        Prepared { ray, slab, shear, triangles: TriangleRay::new(&shear, &ray), boxes, window }
     }
 
     /// Whether a block of triangles blocks the ray.
     #[inline(always)]
     pub fn is_blocked_by<A: AnyHit>(&self, lanes: L, part: Part, block: u32, any_hit: A) -> bool {
         let block = part.tree.block(block);
-        let mut candidates = TriangleRay::new(lanes, &self.shear, &self.ray).test(lanes, block);
+        let mut candidates = self.triangles.test(lanes, block);
         while candidates != 0 {
             let lane = candidates.trailing_zeros() as usize & 7;
             candidates &= candidates - 1;
@@ -235,7 +256,7 @@ impl<L: NodeLanes> Prepared<L> {
         mut best: Hit,
     ) -> Hit {
         let block = part.tree.block(block);
-        let mut candidates = TriangleRay::new(lanes, &self.shear, &self.ray).test(lanes, block);
+        let mut candidates = self.triangles.test(lanes, block);
         while candidates != 0 {
             let lane = candidates.trailing_zeros() as usize & 7;
             candidates &= candidates - 1;

@@ -1,6 +1,6 @@
 //! New boxes and vertices on an old topology, and whether a tree keeps its promises.
 
-use super::tree::{BLOCKS, LEAF, SimdTree, WideNode, write_block};
+use super::tree::{BLOCKS, LEAF, SimdTree, WORDS, WideNode, block_link, first_and_count, write_block};
 use crate::build::{Bounds, Invalid, split, triangle_bounds};
 use crate::node::Node;
 use crate::ray::NONE;
@@ -49,6 +49,12 @@ impl SimdTree {
         below
     }
 
+    /// Links to all leaves.
+    fn leaf_links(&self) -> impl Iterator<Item = u32> {
+        let links = self.nodes.iter().flat_map(|node| node.children);
+        links.filter(|&link| link != NONE && link & LEAF != 0)
+    }
+
     fn leaf_box(&self, link: u32, triangles: &[Triangle]) -> Bounds {
         let block = self.block(link);
         (0..block.len()).fold(Bounds::EMPTY, |all, lane| {
@@ -59,29 +65,34 @@ impl SimdTree {
     /// The blocks with the vertices that their triangles have now.
     fn moved_blocks(&self, triangles: &[Triangle]) -> Vec<u32> {
         let mut words = super::memory::zeroed(self.blocks.len());
-        // Blocks follow one another; every so many-th starts a task.
-        let (mut at, mut count, mut starts) = (0, 0, Vec::new());
-        let end = self.end_of_blocks();
-        while at < end {
-            if count % BLOCKS == 0 {
+        // How many triangles the block has of which the first is this one.
+        let mut counts = vec![0u8; triangles.len()];
+        for (first, count) in self.leaf_links().map(first_and_count) {
+            counts[first] = count as u8;
+        }
+        // Blocks follow one another; one begins a task where enough triangles have passed.
+        let (mut at, mut starts) = (0, Vec::new());
+        while at < counts.len() {
+            if starts.last().is_none_or(|&start| at - start >= BLOCKS) {
                 starts.push(at);
             }
-            at += self.block(at as u32).words();
-            count += 1;
+            at += usize::from(counts[at]);
         }
-        starts.push(end);
-        let ranges: Vec<Range<usize>> = starts.windows(2).map(|ends| ends[0]..ends[1]).collect();
+        starts.push(counts.len());
+        let ranges: Vec<Range<usize>> =
+            starts.windows(2).map(|ends| ends[0] * WORDS..ends[1] * WORDS).collect();
         ranges.par_iter().zip(split(&mut words, &ranges)).for_each(|(range, mut words)| {
-            let mut at = range.start;
-            while at < range.end {
-                let block = self.block(at as u32);
+            let mut at = range.start / WORDS;
+            while !words.is_empty() {
+                let count = usize::from(counts[at]);
+                let block = self.block(block_link(at as u32, count));
                 let mut held = [0; 8];
-                for (lane, held) in held[..block.len()].iter_mut().enumerate() {
+                for (lane, held) in held[..count].iter_mut().enumerate() {
                     *held = block.triangle(lane);
                 }
-                let (to, rest) = words.split_at_mut(block.words());
-                write_block(&held[..block.len()], triangles, to);
-                at += block.words();
+                let (to, rest) = words.split_at_mut(WORDS * count);
+                write_block(&held[..count], triangles, to);
+                at += count;
                 words = rest;
             }
         });
@@ -209,9 +220,12 @@ mod tests {
             tree.nodes[0].children[lane] = NONE;
         });
         assert!(matches!(lost, Invalid::Unreachable { .. }));
-        let moved = broken(&|tree| tree.blocks[1] = 7.5f32.to_bits());
+        let moved = broken(&|tree| tree.blocks[0] = 7.5f32.to_bits());
         assert!(matches!(moved, Invalid::OtherTriangle { .. }));
-        let asking = broken(&|tree| tree.blocks[0] ^= 1 << 8);
+        let asking = broken(&|tree| {
+            let (first, count) = first_and_count(tree.leaf_links().next().unwrap());
+            tree.blocks[WORDS * (first + count) - 1] ^= 1 << 31;
+        });
         assert!(matches!(asking, Invalid::OtherTriangle { .. }));
         let mut more = triangles.to_vec();
         more.push(more[0]);

@@ -1,12 +1,13 @@
 //! Single rays down the wide tree.
 
 use super::lanes::NodeLanes;
-use super::prepared::{BoxRay, Prepared};
+use super::prepared::{Aim, BoxRay, Prepared};
 use super::tree::{LEAF, Part, ROOT, STACK, SimdTree};
 use crate::any_hit::AnyHit;
 use crate::instance::Instance;
 use crate::ray::{FAR, Hit, NONE, Ray};
 use crate::slab::{Slab, Span, WHOLE_RAY};
+use lt_math::glam::Vec3;
 
 /// Work memory of a batch, and what the last ray teaches the next.
 pub(crate) struct Scratch {
@@ -21,6 +22,8 @@ pub(crate) struct Scratch {
     /// blocked there too, and a ray that is blocked at all may be told so by any blocker.
     blocker: u32,
     blocking_instance: u32,
+    /// Of the last ray.
+    aim: Aim,
 }
 
 impl Scratch {
@@ -32,6 +35,7 @@ impl Scratch {
             instance_entries: [0.0; STACK],
             blocker: NONE,
             blocking_instance: NONE,
+            aim: Aim::new(Vec3::Z),
         }
     }
 }
@@ -97,12 +101,13 @@ pub(crate) fn blocker<L: NodeLanes, A: AnyHit>(
     scratch: &mut Scratch,
 ) -> u32 {
     let links = &mut scratch.links;
+    let nodes = part.tree.nodes.as_slice();
     let tmax = lanes.splat(prepared.ray.tmax);
     let mut link = link;
     let mut len = 0;
     loop {
         if link & LEAF == 0 {
-            let node = &part.tree.nodes[link as usize];
+            let node = &nodes[link as usize];
             let (_, mask) = prepared.boxes.test(lanes, node, tmax);
             if mask != 0 {
                 // The last child goes on at once, the others wait. They are written one by one: a wide store would have to
@@ -169,10 +174,17 @@ pub(crate) fn occluded<L: NodeLanes, A: AnyHit>(
     any_hit: A,
     scratch: &mut Scratch,
 ) -> bool {
-    if !ray.is_valid() {
-        return false;
+    if scratch.aim.is_of(&ray) {
+        if !ray.starts_validly() {
+            return false;
+        }
+    } else {
+        if !ray.is_valid() {
+            return false;
+        }
+        scratch.aim = Aim::new(ray.direction);
     }
-    let prepared = Prepared::new(lanes, ray, part.tree, WHOLE_RAY);
+    let prepared = Prepared::aimed(lanes, &scratch.aim, ray, part.tree, WHOLE_RAY);
     let last = scratch.blocker;
     if last != NONE && prepared.is_blocked_by(lanes, part, last, any_hit) {
         return true;

@@ -38,31 +38,49 @@ pub(crate) struct WideNode {
     pub children: [u32; 8],
 }
 
+/// Bits of a block's link above the ordinal of its first triangle.
+const COUNT_SHIFT: u32 = 28;
+
+/// Triangles that links can count.
+pub(crate) const MOST_TRIANGLES: usize = 1 << COUNT_SHIFT;
+
+/// Link to the block of 1 to 8 triangles of which the first is the `first` of all blocks. Their number stands in the link, so that
+/// a test can begin before anything of the block has come from memory.
+pub(crate) fn block_link(first: u32, count: usize) -> u32 {
+    LEAF | (count as u32 - 1) << COUNT_SHIFT | first
+}
+
+/// Ordinal of a block's first triangle, and how many it has.
+#[inline(always)]
+pub(super) fn first_and_count(link: u32) -> (usize, usize) {
+    let first = link & ((1 << COUNT_SHIFT) - 1);
+    (first as usize, (link >> COUNT_SHIFT & 7) as usize + 1)
+}
+
 /// Up to eight triangles of a leaf, side by side and without gaps.
 ///
-/// In the tree's buffer a block is a word with the number of triangles n and, from bit 8, a bit for each that asks the
-/// callback; then n numbers for each axis of each vertex; then n indices. Eight lanes loaded from such a row reach into the
-/// next one: the lanes behind n hold anything and are masked out.
+/// In the tree's buffer a block of n triangles is n numbers for each vertex, for each axis; then n indices, with a bit for those
+/// that ask the callback. Eight lanes loaded from such a row reach into the next one: the lanes behind n hold anything and are
+/// masked out.
 #[derive(Clone, Copy)]
 pub(crate) struct Block<'a> {
-    /// From the first vertex's x on: the rows, and a load's worth of words after their end, which takes in the indices.
+    /// The rows, and a load's worth of words after their end, which takes in the indices.
     words: &'a [u32],
     len: usize,
-    asking: u32,
 }
 
 /// Set in every word that is no coordinate: lanes that reach into it would else compute with denormal numbers, which takes
 /// tens of cycles each time although the result is masked out.
 const NORMAL: u32 = 0x4000_0000;
+/// Set in the index of a triangle that asks.
+const ASKS: u32 = 0x8000_0000;
 
-/// Rows of a block before its indices: three axes of three vertices.
+/// Rows of a block before its indices: three vertices in each of three axes.
 const ROWS: usize = 9;
+/// Words of a triangle.
+pub(super) const WORDS: usize = ROWS + 1;
 /// Words that a load of eight lanes reads.
 const LOAD: usize = 8;
-
-fn words_of_block(len: usize) -> usize {
-    1 + (ROWS + 1) * len
-}
 
 impl<'a> Block<'a> {
     /// Triangles in it: 1 to 8.
@@ -71,60 +89,55 @@ impl<'a> Block<'a> {
         self.len
     }
 
-    /// Words that the block takes in the tree's buffer.
-    pub fn words(&self) -> usize {
-        words_of_block(self.len)
-    }
-
     /// Mask of the lanes that hold triangles.
     #[inline(always)]
     pub fn lanes(&self) -> u32 {
-        0xff >> (8 - self.len)
+        (1 << self.len) - 1
     }
 
     /// Whether the hits on a triangle need asking.
     #[inline(always)]
     pub fn asks(&self, lane: usize) -> bool {
-        self.asking >> lane & 1 != 0
+        self.words[ROWS * self.len + lane] & ASKS != 0
     }
 
-    /// One coordinate of all triangles, eight lanes long; the last row for a vertex or an axis above 2.
+    /// One coordinate of all triangles' three vertices, eight lanes long; the last axis for one above 2.
     #[inline(always)]
-    pub fn row(&self, vertex: usize, axis: usize) -> &'a [f32] {
-        let row = (3 * vertex + axis).min(ROWS - 1);
-        // SAFETY: `SimdTree::block` has cut `words` to as many as the last row and a load from it reach, and rows before
-        // it end earlier. Checks here cost single rays 4 to 9 % of their time.
-        bytemuck::cast_slice(unsafe { self.words.get_unchecked(row * self.len..row * self.len + LOAD) })
+    pub fn rows(&self, axis: usize) -> [&'a [f32]; 3] {
+        let first = 3 * axis.min(2) * self.len;
+        [0, 1, 2].map(|vertex| {
+            let at = first + vertex * self.len;
+            // SAFETY: `SimdTree::block` has cut `words` to as many as the last row and a load from it reach, and rows before
+            // it end earlier. Checks here cost single rays 4 to 9 % of their time.
+            bytemuck::cast_slice(unsafe { self.words.get_unchecked(at..at + LOAD) })
+        })
     }
 
     /// One coordinate of one triangle.
     #[inline(always)]
     pub fn coordinate(&self, vertex: usize, axis: usize, lane: usize) -> f32 {
-        f32::from_bits(self.words[(3 * vertex + axis) * self.len + lane])
+        f32::from_bits(self.words[(3 * axis + vertex) * self.len + lane])
     }
 
     /// Index of a triangle in leaf order of the tree's own triangles.
     #[inline(always)]
     pub fn triangle(&self, lane: usize) -> u32 {
-        self.words[ROWS * self.len + lane] & !NORMAL
+        self.words[ROWS * self.len + lane] & !(NORMAL | ASKS)
     }
 }
 
 /// Writes the words of a block; see [`Block`].
 pub(super) fn write_block(indices: &[u32], triangles: &[Triangle], words: &mut [u32]) {
     let len = indices.len();
-    let mut asking = 0;
     for (lane, &index) in indices.iter().enumerate() {
         let triangle = &triangles[index as usize];
-        asking |= u32::from(!triangle.is_opaque()) << (8 + lane);
         for (vertex, position) in [triangle.v0, triangle.v1, triangle.v2].into_iter().enumerate() {
             for axis in 0..3 {
-                words[1 + (3 * vertex + axis) * len + lane] = position[axis].to_bits();
+                words[(3 * axis + vertex) * len + lane] = position[axis].to_bits();
             }
         }
-        words[1 + ROWS * len + lane] = NORMAL | index;
+        words[ROWS * len + lane] = NORMAL | index | if triangle.is_opaque() { 0 } else { ASKS };
     }
-    words[0] = NORMAL | len as u32 | asking;
 }
 
 /// Blocks written by one task.
@@ -132,10 +145,9 @@ pub(super) const BLOCKS: usize = 1 << 10;
 
 /// The blocks of all leaves, and what a load from the last row reaches beyond them.
 fn blocks(leaves: &Emitted<WideNode>, triangles: &[Triangle]) -> Vec<u32> {
-    let mut words = memory::zeroed(leaves.size as usize + LOAD);
+    let mut words = memory::zeroed(WORDS * leaves.primitives.len() + LOAD);
     let count = leaves.leaf_ends.len();
-    // The blocks before a leaf: a word each, and the rows of all their triangles.
-    let position = |leaf: usize| leaf + (ROWS + 1) * leaves.leaf_begin(leaf);
+    let position = |leaf: usize| WORDS * leaves.leaf_begin(leaf);
     let tasks: Vec<Range<usize>> =
         (0..count).step_by(BLOCKS).map(|first| first..(first + BLOCKS).min(count)).collect();
     let ranges: Vec<Range<usize>> =
@@ -143,7 +155,7 @@ fn blocks(leaves: &Emitted<WideNode>, triangles: &[Triangle]) -> Vec<u32> {
     tasks.into_par_iter().zip(split(&mut words, &ranges)).for_each(|(task, mut words)| {
         for leaf in task {
             let held = leaves.leaf(leaf);
-            let (block, rest) = words.split_at_mut(words_of_block(held.len()));
+            let (block, rest) = words.split_at_mut(WORDS * held.len());
             write_block(held, triangles, block);
             words = rest;
         }
@@ -155,7 +167,7 @@ fn blocks(leaves: &Emitted<WideNode>, triangles: &[Triangle]) -> Vec<u32> {
 #[derive(Debug)]
 pub(crate) struct SimdTree {
     pub nodes: Vec<WideNode>,
-    /// [`Block`]s, named by the index of their first word.
+    /// [`Block`]s, one after the other; see [`block_link`].
     pub(super) blocks: Vec<u32>,
     /// What planes count from, so that they are no larger than the tree.
     pub base: Vec3,
@@ -192,8 +204,7 @@ impl SimdTree {
     pub fn of_triangles(binary: Option<&BinaryTree>, triangles: &[Triangle], root: &Node) -> Self {
         let Some(binary) = binary else { return Self::empty() };
         let boxes = |i: u32| crate::build::triangle_bounds(&triangles[i as usize]);
-        let link = LeafLink::Position(|held| words_of_block(held) as u32);
-        let (mut tree, leaves) = Self::collapse(binary, boxes, BLOCK_LEAF, root, link);
+        let (mut tree, leaves) = Self::collapse(binary, boxes, BLOCK_LEAF, root, LeafLink::Block);
         tree.blocks = blocks(&leaves, triangles);
         tree
     }
@@ -202,7 +213,7 @@ impl SimdTree {
     #[inline(always)]
     pub fn prefetch(&self, link: u32) {
         if link & LEAF != 0 {
-            if let Some(word) = self.blocks.get((link & !LEAF) as usize) {
+            if let Some(word) = self.blocks.get(WORDS * first_and_count(link).0) {
                 memory::prefetch(word);
             }
         } else if let Some(node) = self.nodes.get(link as usize) {
@@ -213,17 +224,11 @@ impl SimdTree {
         }
     }
 
-    /// One past the last block's words.
-    pub(super) fn end_of_blocks(&self) -> usize {
-        self.blocks.len().saturating_sub(LOAD)
-    }
-
     /// The block of a leaf's link.
     #[inline(always)]
     pub fn block(&self, link: u32) -> Block<'_> {
-        let words = &self.blocks[(link & !LEAF) as usize..];
-        let len = (words[0] & 15) as usize;
-        Block { words: &words[1..][..ROWS * len + LOAD], len, asking: words[0] >> 8 }
+        let (first, len) = first_and_count(link);
+        Block { words: &self.blocks[WORDS * first..][..ROWS * len + LOAD], len }
     }
 
     /// Over the boxes of instances in leaf order; `root` is the shared kernel's TLAS root.

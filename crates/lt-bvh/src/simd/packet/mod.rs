@@ -4,10 +4,12 @@
 //! found here needs no second opinion. Rays of a packet agree in the signs of their directions and in the
 //! largest component, which makes every choice that the kernel makes per ray one per packet.
 //!
-//! How they meet a node's boxes together is in [`frusta`], one by one in [`record`]; how they meet triangles in [`hits`].
+//! How they meet a node's boxes together is in [`frusta`], one by one in [`record`]; how they meet triangles in [`hits`], and which
+//! they cannot meet in [`points`].
 
 mod frusta;
 mod hits;
+mod points;
 mod record;
 
 use super::lanes::{Lanes, NodeLanes};
@@ -133,6 +135,10 @@ pub(crate) struct Packet {
     tmax: Column,
     window_near: Column,
     window_far: Column,
+    /// x and y of parallel rays in the plane across them, from the first ray's.
+    points: [Column; 2],
+    /// The greatest distance along an axis from an origin to the tree's root box.
+    reach: f32,
     /// What the test of one ray against eight boxes needs, for the rays of `recorded`.
     records: [Record; PACKET],
     recorded: u64,
@@ -178,6 +184,8 @@ impl Packet {
             tmax: zero,
             window_near: [WHOLE_RAY.near; PACKET],
             window_far: [WHOLE_RAY.far; PACKET],
+            points: [zero; 2],
+            reach: 0.0,
             records: [NO_RECORD; PACKET],
             recorded: 0,
             rays: [Ray::default(); PACKET],
@@ -273,6 +281,7 @@ impl Packet {
         let (ix, iy, iz) = axes(kind.axis);
         let zero = rays.splat(0.0);
         let mut at = 0;
+        let mut farthest = zero;
         let common = self.rays[0].direction;
         while at < self.len {
             let direction = if self.is_parallel {
@@ -300,6 +309,7 @@ impl Packet {
                 reach = rays.max(reach, rays.max(to_low, rays.sub(zero, to_low)));
                 reach = rays.max(reach, rays.max(to_high, rays.sub(zero, to_high)));
             }
+            farthest = rays.max(farthest, reach);
             let triangle_reach = rays.mul(reach, rays.splat(TRIANGLE_MARGIN));
             for (axis, &d) in direction.iter().enumerate() {
                 let magnitude = rays.max(rays.max(d, rays.sub(zero, d)), least);
@@ -313,6 +323,12 @@ impl Packet {
                 set(rays, &mut self.triangle_margin[axis], at, rays.mul(absolute, triangle_reach));
             }
             at += R::WIDTH;
+        }
+        let mut reaches = [0.0; 16];
+        rays.store(farthest, &mut reaches);
+        self.reach = reaches.into_iter().fold(0.0, f32::max);
+        if self.is_parallel {
+            self.place(rays);
         }
     }
 
