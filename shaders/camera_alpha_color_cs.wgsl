@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -160,19 +160,19 @@ var<storage> alpha_texels: type_13;
 @group(0) @binding(7) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_212_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_212_: lt_mask_LightPlace;
     var phi_213_: bool;
-    var phi_214_: lt_bvh_traverse_Tree;
+    var phi_214_: lt_mask_LightPlace;
     var phi_215_: bool;
-    var phi_220_: lt_bvh_traverse_Tree;
+    var phi_220_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_212_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_212_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_213_ = false;
         } else {
-            phi_212_ = lt_bvh_traverse_Tree();
+            phi_212_ = lt_mask_LightPlace();
             phi_213_ = true;
         }
         let _e83 = phi_212_;
@@ -180,18 +180,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_214_ = _e83;
         phi_215_ = _e85;
     } else {
-        phi_214_ = lt_bvh_traverse_Tree();
+        phi_214_ = lt_mask_LightPlace();
         phi_215_ = true;
     }
     let _e87 = phi_214_;
     let _e89 = phi_215_;
     if _e89 {
-        phi_220_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_220_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_220_ = _e87;
     }
     let _e94 = phi_220_;
-    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+    return lt_mask_LightPlace(_e94.word, _e94.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -830,7 +830,7 @@ fn function_() {
     let _e98 = p.member.size[0u];
     let _e100 = p.member.size[1u];
     let _e101 = lt_shaders_entry_pixel_index(_e73, _e98, _e100);
-    if (bitcast<i32>(_e101.root) != 0i) {
+    if (bitcast<i32>(_e101.word) != 0i) {
         let _e109 = p.member.eye;
         let _e114 = p.member.size[0u];
         let _e118 = ((((f32(_e73.x) + 0.5f) / f32(_e114)) * 2f) - 1f);
@@ -1164,41 +1164,41 @@ fn function_() {
                         let _e630 = ((bitcast<f32>(_e620) - _e156.origin.z) * _e334);
                         let _e638 = nodes.member[(0u + _e573)].x;
                         if (_e310 < 0f) {
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.unnamed.root, _e638.w), _e649.unnamed_1);
-                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e638.x, _e655.unnamed_1.first_primitive));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_bvh_traverse_Tree(_e661.unnamed_1.root, _e638.y));
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e649.unnamed.word, _e638.w), _e649.unnamed_1);
+                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e638.x, _e655.unnamed_1.shift));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_mask_LightPlace(_e661.unnamed_1.word, _e638.y));
                         } else {
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e677.unnamed.root, _e638.y), _e677.unnamed_1);
-                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e638.z, _e683.unnamed_1.first_primitive));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e689.unnamed_1.root, _e638.w));
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e677.unnamed.word, _e638.y), _e677.unnamed_1);
+                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_mask_LightPlace(_e638.z, _e683.unnamed_1.shift));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_mask_LightPlace(_e689.unnamed_1.word, _e638.w));
                         }
                         let _e697 = phi_1291_;
                         let _e707 = nodes.member[(0u + _e573)].y;
                         if (_e322 < 0f) {
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.unnamed.root, _e707.w), _e718.unnamed_1);
-                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e707.x, _e724.unnamed_1.first_primitive));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_bvh_traverse_Tree(_e730.unnamed_1.root, _e707.y));
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e718.unnamed.word, _e707.w), _e718.unnamed_1);
+                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e707.x, _e724.unnamed_1.shift));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_mask_LightPlace(_e730.unnamed_1.word, _e707.y));
                         } else {
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e746.unnamed.root, _e707.y), _e746.unnamed_1);
-                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e707.z, _e752.unnamed_1.first_primitive));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e758.unnamed_1.root, _e707.w));
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e746.unnamed.word, _e707.y), _e746.unnamed_1);
+                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_mask_LightPlace(_e707.z, _e752.unnamed_1.shift));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_mask_LightPlace(_e758.unnamed_1.word, _e707.w));
                         }
                         let _e766 = phi_1318_;
                         let _e776 = nodes.member[(0u + _e573)].z;
                         if (_e334 < 0f) {
-                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e776.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e787.unnamed.root, _e776.w), _e787.unnamed_1);
-                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_bvh_traverse_Tree(_e776.x, _e793.unnamed_1.first_primitive));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_bvh_traverse_Tree(_e799.unnamed_1.root, _e776.y));
+                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e776.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e787.unnamed.word, _e776.w), _e787.unnamed_1);
+                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_mask_LightPlace(_e776.x, _e793.unnamed_1.shift));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_mask_LightPlace(_e799.unnamed_1.word, _e776.y));
                         } else {
-                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e776.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e815.unnamed.root, _e776.y), _e815.unnamed_1);
-                            let _e827 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_bvh_traverse_Tree(_e776.z, _e821.unnamed_1.first_primitive));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e827.unnamed, lt_bvh_traverse_Tree(_e827.unnamed_1.root, _e776.w));
+                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e776.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e815.unnamed.word, _e776.y), _e815.unnamed_1);
+                            let _e827 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_mask_LightPlace(_e776.z, _e821.unnamed_1.shift));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e827.unnamed, lt_mask_LightPlace(_e827.unnamed_1.word, _e776.w));
                         }
                         let _e835 = phi_1345_;
                         phi_1351_ = 0u;
@@ -1214,41 +1214,41 @@ fn function_() {
                                 let _e850 = (_e845 >> bitcast<u32>(2i));
                                 let _e851 = (_e845 & 3u);
                                 if (_e850 == 0u) {
-                                    phi_1368_ = _e697.unnamed.root;
+                                    phi_1368_ = _e697.unnamed.word;
                                 } else {
-                                    phi_1368_ = _e697.unnamed.first_primitive;
+                                    phi_1368_ = _e697.unnamed.shift;
                                 }
                                 let _e854 = phi_1368_;
                                 if (_e850 == 0u) {
-                                    phi_1378_ = _e766.unnamed.root;
+                                    phi_1378_ = _e766.unnamed.word;
                                 } else {
-                                    phi_1378_ = _e766.unnamed.first_primitive;
+                                    phi_1378_ = _e766.unnamed.shift;
                                 }
                                 let _e863 = phi_1378_;
                                 if (_e850 == 0u) {
-                                    phi_1388_ = _e835.unnamed.root;
+                                    phi_1388_ = _e835.unnamed.word;
                                 } else {
-                                    phi_1388_ = _e835.unnamed.first_primitive;
+                                    phi_1388_ = _e835.unnamed.shift;
                                 }
                                 let _e872 = phi_1388_;
                                 let _e885 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e854 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e371)), ((f32(((_e863 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 - _e372)));
                                 let _e886 = core_intrinsics_maximum_number_nsz_f32_(_e885, ((f32(((_e872 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e609) + (_e630 - _e373)));
                                 if (_e850 == 0u) {
-                                    phi_1406_ = _e697.unnamed_1.root;
+                                    phi_1406_ = _e697.unnamed_1.word;
                                 } else {
-                                    phi_1406_ = _e697.unnamed_1.first_primitive;
+                                    phi_1406_ = _e697.unnamed_1.shift;
                                 }
                                 let _e889 = phi_1406_;
                                 if (_e850 == 0u) {
-                                    phi_1416_ = _e766.unnamed_1.root;
+                                    phi_1416_ = _e766.unnamed_1.word;
                                 } else {
-                                    phi_1416_ = _e766.unnamed_1.first_primitive;
+                                    phi_1416_ = _e766.unnamed_1.shift;
                                 }
                                 let _e898 = phi_1416_;
                                 if (_e850 == 0u) {
-                                    phi_1426_ = _e835.unnamed_1.root;
+                                    phi_1426_ = _e835.unnamed_1.word;
                                 } else {
-                                    phi_1426_ = _e835.unnamed_1.first_primitive;
+                                    phi_1426_ = _e835.unnamed_1.shift;
                                 }
                                 let _e907 = phi_1426_;
                                 let _e920 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e889 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e371)), ((f32(((_e898 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 + _e372)));
@@ -2371,11 +2371,11 @@ fn function_() {
             phi_3176_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2465 = phi_3176_;
-        if (_e101.first_primitive < arrayLength((&samples.member))) {
+        if (_e101.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e101.first_primitive)] = _e2465;
+        samples.member[(0u + _e101.shift)] = _e2465;
     }
     return;
 }

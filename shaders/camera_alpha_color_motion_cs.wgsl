@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -168,19 +168,19 @@ var<storage> before: type_26;
 @group(0) @binding(9) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_220_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_220_: lt_mask_LightPlace;
     var phi_221_: bool;
-    var phi_222_: lt_bvh_traverse_Tree;
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_228_: lt_bvh_traverse_Tree;
+    var phi_228_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_220_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_220_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_221_ = false;
         } else {
-            phi_220_ = lt_bvh_traverse_Tree();
+            phi_220_ = lt_mask_LightPlace();
             phi_221_ = true;
         }
         let _e85 = phi_220_;
@@ -188,18 +188,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_222_ = _e85;
         phi_223_ = _e87;
     } else {
-        phi_222_ = lt_bvh_traverse_Tree();
+        phi_222_ = lt_mask_LightPlace();
         phi_223_ = true;
     }
     let _e89 = phi_222_;
     let _e91 = phi_223_;
     if _e91 {
-        phi_228_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_228_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_228_ = _e89;
     }
     let _e96 = phi_228_;
-    return lt_bvh_traverse_Tree(_e96.root, _e96.first_primitive);
+    return lt_mask_LightPlace(_e96.word, _e96.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -844,7 +844,7 @@ fn function_() {
     let _e106 = p.member.size[0u];
     let _e108 = p.member.size[1u];
     let _e109 = lt_shaders_entry_pixel_index(_e75, _e106, _e108);
-    if (bitcast<i32>(_e109.root) != 0i) {
+    if (bitcast<i32>(_e109.word) != 0i) {
         let _e117 = p.member.eye;
         let _e122 = p.member.size[0u];
         let _e126 = ((((f32(_e75.x) + 0.5f) / f32(_e122)) * 2f) - 1f);
@@ -1178,41 +1178,41 @@ fn function_() {
                         let _e638 = ((bitcast<f32>(_e628) - _e164.origin.z) * _e342);
                         let _e646 = nodes.member[(0u + _e581)].x;
                         if (_e318 < 0f) {
-                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e657.unnamed.root, _e646.w), _e657.unnamed_1);
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_bvh_traverse_Tree(_e646.x, _e663.unnamed_1.first_primitive));
-                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e669.unnamed_1.root, _e646.y));
+                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.unnamed.word, _e646.w), _e657.unnamed_1);
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_mask_LightPlace(_e646.x, _e663.unnamed_1.shift));
+                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_mask_LightPlace(_e669.unnamed_1.word, _e646.y));
                         } else {
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e685.unnamed.root, _e646.y), _e685.unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e646.z, _e691.unnamed_1.first_primitive));
-                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e697.unnamed_1.root, _e646.w));
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e685.unnamed.word, _e646.y), _e685.unnamed_1);
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e646.z, _e691.unnamed_1.shift));
+                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_mask_LightPlace(_e697.unnamed_1.word, _e646.w));
                         }
                         let _e705 = phi_1305_;
                         let _e715 = nodes.member[(0u + _e581)].y;
                         if (_e330 < 0f) {
-                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e726.unnamed.root, _e715.w), _e726.unnamed_1);
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_bvh_traverse_Tree(_e715.x, _e732.unnamed_1.first_primitive));
-                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e738.unnamed_1.root, _e715.y));
+                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.unnamed.word, _e715.w), _e726.unnamed_1);
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e715.x, _e732.unnamed_1.shift));
+                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_mask_LightPlace(_e738.unnamed_1.word, _e715.y));
                         } else {
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e754.unnamed.root, _e715.y), _e754.unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e715.z, _e760.unnamed_1.first_primitive));
-                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e766.unnamed_1.root, _e715.w));
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e754.unnamed.word, _e715.y), _e754.unnamed_1);
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e715.z, _e760.unnamed_1.shift));
+                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_mask_LightPlace(_e766.unnamed_1.word, _e715.w));
                         }
                         let _e774 = phi_1332_;
                         let _e784 = nodes.member[(0u + _e581)].z;
                         if (_e342 < 0f) {
-                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e784.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e795.unnamed.root, _e784.w), _e795.unnamed_1);
-                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_bvh_traverse_Tree(_e784.x, _e801.unnamed_1.first_primitive));
-                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_bvh_traverse_Tree(_e807.unnamed_1.root, _e784.y));
+                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e795.unnamed.word, _e784.w), _e795.unnamed_1);
+                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e784.x, _e801.unnamed_1.shift));
+                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_mask_LightPlace(_e807.unnamed_1.word, _e784.y));
                         } else {
-                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e784.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e823.unnamed.root, _e784.y), _e823.unnamed_1);
-                            let _e835 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_bvh_traverse_Tree(_e784.z, _e829.unnamed_1.first_primitive));
-                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e835.unnamed, lt_bvh_traverse_Tree(_e835.unnamed_1.root, _e784.w));
+                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e823.unnamed.word, _e784.y), _e823.unnamed_1);
+                            let _e835 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_mask_LightPlace(_e784.z, _e829.unnamed_1.shift));
+                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e835.unnamed, lt_mask_LightPlace(_e835.unnamed_1.word, _e784.w));
                         }
                         let _e843 = phi_1359_;
                         phi_1365_ = 0u;
@@ -1228,41 +1228,41 @@ fn function_() {
                                 let _e858 = (_e853 >> bitcast<u32>(2i));
                                 let _e859 = (_e853 & 3u);
                                 if (_e858 == 0u) {
-                                    phi_1382_ = _e705.unnamed.root;
+                                    phi_1382_ = _e705.unnamed.word;
                                 } else {
-                                    phi_1382_ = _e705.unnamed.first_primitive;
+                                    phi_1382_ = _e705.unnamed.shift;
                                 }
                                 let _e862 = phi_1382_;
                                 if (_e858 == 0u) {
-                                    phi_1392_ = _e774.unnamed.root;
+                                    phi_1392_ = _e774.unnamed.word;
                                 } else {
-                                    phi_1392_ = _e774.unnamed.first_primitive;
+                                    phi_1392_ = _e774.unnamed.shift;
                                 }
                                 let _e871 = phi_1392_;
                                 if (_e858 == 0u) {
-                                    phi_1402_ = _e843.unnamed.root;
+                                    phi_1402_ = _e843.unnamed.word;
                                 } else {
-                                    phi_1402_ = _e843.unnamed.first_primitive;
+                                    phi_1402_ = _e843.unnamed.shift;
                                 }
                                 let _e880 = phi_1402_;
                                 let _e893 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e862 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e615) + (_e636 - _e379)), ((f32(((_e871 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e616) + (_e637 - _e380)));
                                 let _e894 = core_intrinsics_maximum_number_nsz_f32_(_e893, ((f32(((_e880 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e617) + (_e638 - _e381)));
                                 if (_e858 == 0u) {
-                                    phi_1420_ = _e705.unnamed_1.root;
+                                    phi_1420_ = _e705.unnamed_1.word;
                                 } else {
-                                    phi_1420_ = _e705.unnamed_1.first_primitive;
+                                    phi_1420_ = _e705.unnamed_1.shift;
                                 }
                                 let _e897 = phi_1420_;
                                 if (_e858 == 0u) {
-                                    phi_1430_ = _e774.unnamed_1.root;
+                                    phi_1430_ = _e774.unnamed_1.word;
                                 } else {
-                                    phi_1430_ = _e774.unnamed_1.first_primitive;
+                                    phi_1430_ = _e774.unnamed_1.shift;
                                 }
                                 let _e906 = phi_1430_;
                                 if (_e858 == 0u) {
-                                    phi_1440_ = _e843.unnamed_1.root;
+                                    phi_1440_ = _e843.unnamed_1.word;
                                 } else {
-                                    phi_1440_ = _e843.unnamed_1.first_primitive;
+                                    phi_1440_ = _e843.unnamed_1.shift;
                                 }
                                 let _e915 = phi_1440_;
                                 let _e928 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e897 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e615) + (_e636 + _e379)), ((f32(((_e906 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e616) + (_e637 + _e380)));
@@ -2385,11 +2385,11 @@ fn function_() {
             phi_3190_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2473 = phi_3190_;
-        if (_e109.first_primitive < arrayLength((&samples.member))) {
+        if (_e109.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e109.first_primitive)] = _e2473;
+        samples.member[(0u + _e109.shift)] = _e2473;
         if (_e1817.triangle != 4294967295u) {
             let _e2482 = ((1f - _e1817.u) - _e1817.v);
             if (_e1817.triangle < _e82) {
@@ -2421,11 +2421,11 @@ fn function_() {
             phi_3281_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2545 = phi_3281_;
-        if (_e109.first_primitive < arrayLength((&past.member))) {
+        if (_e109.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e109.first_primitive)] = vec4<f32>(_e2545.x, _e2545.y, _e2545.z, 1f);
+        past.member[(0u + _e109.shift)] = vec4<f32>(_e2545.x, _e2545.y, _e2545.z, 1f);
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -158,19 +158,19 @@ var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
 var<storage> alpha_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_212_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_212_: lt_mask_LightPlace;
     var phi_213_: bool;
-    var phi_214_: lt_bvh_traverse_Tree;
+    var phi_214_: lt_mask_LightPlace;
     var phi_215_: bool;
-    var phi_220_: lt_bvh_traverse_Tree;
+    var phi_220_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_212_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_212_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_213_ = false;
         } else {
-            phi_212_ = lt_bvh_traverse_Tree();
+            phi_212_ = lt_mask_LightPlace();
             phi_213_ = true;
         }
         let _e82 = phi_212_;
@@ -178,18 +178,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_214_ = _e82;
         phi_215_ = _e84;
     } else {
-        phi_214_ = lt_bvh_traverse_Tree();
+        phi_214_ = lt_mask_LightPlace();
         phi_215_ = true;
     }
     let _e86 = phi_214_;
     let _e88 = phi_215_;
     if _e88 {
-        phi_220_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_220_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_220_ = _e86;
     }
     let _e93 = phi_220_;
-    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+    return lt_mask_LightPlace(_e93.word, _e93.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -829,7 +829,7 @@ fn function_() {
     let _e93 = p.member.size[0u];
     let _e95 = p.member.size[1u];
     let _e96 = lt_shaders_entry_pixel_index(_e71, _e93, _e95);
-    if (bitcast<i32>(_e96.root) != 0i) {
+    if (bitcast<i32>(_e96.word) != 0i) {
         let _e104 = p.member.eye;
         let _e109 = p.member.size[0u];
         let _e113 = ((((f32(_e71.x) + 0.5f) / f32(_e109)) * 2f) - 1f);
@@ -1163,41 +1163,41 @@ fn function_() {
                         let _e625 = ((bitcast<f32>(_e615) - _e151.origin.z) * _e329);
                         let _e633 = nodes.member[(0u + _e568)].x;
                         if (_e305 < 0f) {
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e644.unnamed.root, _e633.w), _e644.unnamed_1);
-                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e633.x, _e650.unnamed_1.first_primitive));
-                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_bvh_traverse_Tree(_e656.unnamed_1.root, _e633.y));
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e633.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e644.unnamed.word, _e633.w), _e644.unnamed_1);
+                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_mask_LightPlace(_e633.x, _e650.unnamed_1.shift));
+                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_mask_LightPlace(_e656.unnamed_1.word, _e633.y));
                         } else {
-                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e672.unnamed.root, _e633.y), _e672.unnamed_1);
-                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_bvh_traverse_Tree(_e633.z, _e678.unnamed_1.first_primitive));
-                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_bvh_traverse_Tree(_e684.unnamed_1.root, _e633.w));
+                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e633.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e672.unnamed.word, _e633.y), _e672.unnamed_1);
+                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_mask_LightPlace(_e633.z, _e678.unnamed_1.shift));
+                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_mask_LightPlace(_e684.unnamed_1.word, _e633.w));
                         }
                         let _e692 = phi_1274_;
                         let _e702 = nodes.member[(0u + _e568)].y;
                         if (_e317 < 0f) {
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e713.unnamed.root, _e702.w), _e713.unnamed_1);
-                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e702.x, _e719.unnamed_1.first_primitive));
-                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_bvh_traverse_Tree(_e725.unnamed_1.root, _e702.y));
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e713.unnamed.word, _e702.w), _e713.unnamed_1);
+                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_mask_LightPlace(_e702.x, _e719.unnamed_1.shift));
+                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_mask_LightPlace(_e725.unnamed_1.word, _e702.y));
                         } else {
-                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e741.unnamed.root, _e702.y), _e741.unnamed_1);
-                            let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_bvh_traverse_Tree(_e702.z, _e747.unnamed_1.first_primitive));
-                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_bvh_traverse_Tree(_e753.unnamed_1.root, _e702.w));
+                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e741.unnamed.word, _e702.y), _e741.unnamed_1);
+                            let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_mask_LightPlace(_e702.z, _e747.unnamed_1.shift));
+                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_mask_LightPlace(_e753.unnamed_1.word, _e702.w));
                         }
                         let _e761 = phi_1301_;
                         let _e771 = nodes.member[(0u + _e568)].z;
                         if (_e329 < 0f) {
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e782.unnamed.root, _e771.w), _e782.unnamed_1);
-                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_bvh_traverse_Tree(_e771.x, _e788.unnamed_1.first_primitive));
-                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_bvh_traverse_Tree(_e794.unnamed_1.root, _e771.y));
+                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e782.unnamed.word, _e771.w), _e782.unnamed_1);
+                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_mask_LightPlace(_e771.x, _e788.unnamed_1.shift));
+                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_mask_LightPlace(_e794.unnamed_1.word, _e771.y));
                         } else {
-                            let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e816 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e810.unnamed.root, _e771.y), _e810.unnamed_1);
-                            let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e816.unnamed, lt_bvh_traverse_Tree(_e771.z, _e816.unnamed_1.first_primitive));
-                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e822.unnamed, lt_bvh_traverse_Tree(_e822.unnamed_1.root, _e771.w));
+                            let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e816 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e810.unnamed.word, _e771.y), _e810.unnamed_1);
+                            let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e816.unnamed, lt_mask_LightPlace(_e771.z, _e816.unnamed_1.shift));
+                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e822.unnamed, lt_mask_LightPlace(_e822.unnamed_1.word, _e771.w));
                         }
                         let _e830 = phi_1328_;
                         phi_1334_ = 0u;
@@ -1213,41 +1213,41 @@ fn function_() {
                                 let _e845 = (_e840 >> bitcast<u32>(2i));
                                 let _e846 = (_e840 & 3u);
                                 if (_e845 == 0u) {
-                                    phi_1351_ = _e692.unnamed.root;
+                                    phi_1351_ = _e692.unnamed.word;
                                 } else {
-                                    phi_1351_ = _e692.unnamed.first_primitive;
+                                    phi_1351_ = _e692.unnamed.shift;
                                 }
                                 let _e849 = phi_1351_;
                                 if (_e845 == 0u) {
-                                    phi_1361_ = _e761.unnamed.root;
+                                    phi_1361_ = _e761.unnamed.word;
                                 } else {
-                                    phi_1361_ = _e761.unnamed.first_primitive;
+                                    phi_1361_ = _e761.unnamed.shift;
                                 }
                                 let _e858 = phi_1361_;
                                 if (_e845 == 0u) {
-                                    phi_1371_ = _e830.unnamed.root;
+                                    phi_1371_ = _e830.unnamed.word;
                                 } else {
-                                    phi_1371_ = _e830.unnamed.first_primitive;
+                                    phi_1371_ = _e830.unnamed.shift;
                                 }
                                 let _e867 = phi_1371_;
                                 let _e880 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e849 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e602) + (_e623 - _e366)), ((f32(((_e858 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e603) + (_e624 - _e367)));
                                 let _e881 = core_intrinsics_maximum_number_nsz_f32_(_e880, ((f32(((_e867 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e604) + (_e625 - _e368)));
                                 if (_e845 == 0u) {
-                                    phi_1389_ = _e692.unnamed_1.root;
+                                    phi_1389_ = _e692.unnamed_1.word;
                                 } else {
-                                    phi_1389_ = _e692.unnamed_1.first_primitive;
+                                    phi_1389_ = _e692.unnamed_1.shift;
                                 }
                                 let _e884 = phi_1389_;
                                 if (_e845 == 0u) {
-                                    phi_1399_ = _e761.unnamed_1.root;
+                                    phi_1399_ = _e761.unnamed_1.word;
                                 } else {
-                                    phi_1399_ = _e761.unnamed_1.first_primitive;
+                                    phi_1399_ = _e761.unnamed_1.shift;
                                 }
                                 let _e893 = phi_1399_;
                                 if (_e845 == 0u) {
-                                    phi_1409_ = _e830.unnamed_1.root;
+                                    phi_1409_ = _e830.unnamed_1.word;
                                 } else {
-                                    phi_1409_ = _e830.unnamed_1.first_primitive;
+                                    phi_1409_ = _e830.unnamed_1.shift;
                                 }
                                 let _e902 = phi_1409_;
                                 let _e915 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e884 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e602) + (_e623 + _e366)), ((f32(((_e893 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e603) + (_e624 + _e367)));
@@ -2334,11 +2334,11 @@ fn function_() {
             phi_3023_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2316 = phi_3023_;
-        if (_e96.first_primitive < arrayLength((&samples.member))) {
+        if (_e96.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e96.first_primitive)] = _e2316;
+        samples.member[(0u + _e96.shift)] = _e2316;
     }
     return;
 }

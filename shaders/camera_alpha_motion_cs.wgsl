@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -166,19 +166,19 @@ var<storage> before: type_26;
 @group(0) @binding(8) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_220_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_220_: lt_mask_LightPlace;
     var phi_221_: bool;
-    var phi_222_: lt_bvh_traverse_Tree;
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_228_: lt_bvh_traverse_Tree;
+    var phi_228_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_220_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_220_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_221_ = false;
         } else {
-            phi_220_ = lt_bvh_traverse_Tree();
+            phi_220_ = lt_mask_LightPlace();
             phi_221_ = true;
         }
         let _e84 = phi_220_;
@@ -186,18 +186,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_222_ = _e84;
         phi_223_ = _e86;
     } else {
-        phi_222_ = lt_bvh_traverse_Tree();
+        phi_222_ = lt_mask_LightPlace();
         phi_223_ = true;
     }
     let _e88 = phi_222_;
     let _e90 = phi_223_;
     if _e90 {
-        phi_228_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_228_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_228_ = _e88;
     }
     let _e95 = phi_228_;
-    return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
+    return lt_mask_LightPlace(_e95.word, _e95.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -843,7 +843,7 @@ fn function_() {
     let _e101 = p.member.size[0u];
     let _e103 = p.member.size[1u];
     let _e104 = lt_shaders_entry_pixel_index(_e73, _e101, _e103);
-    if (bitcast<i32>(_e104.root) != 0i) {
+    if (bitcast<i32>(_e104.word) != 0i) {
         let _e112 = p.member.eye;
         let _e117 = p.member.size[0u];
         let _e121 = ((((f32(_e73.x) + 0.5f) / f32(_e117)) * 2f) - 1f);
@@ -1177,41 +1177,41 @@ fn function_() {
                         let _e633 = ((bitcast<f32>(_e623) - _e159.origin.z) * _e337);
                         let _e641 = nodes.member[(0u + _e576)].x;
                         if (_e313 < 0f) {
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e652.unnamed.root, _e641.w), _e652.unnamed_1);
-                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_bvh_traverse_Tree(_e641.x, _e658.unnamed_1.first_primitive));
-                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e664.unnamed, lt_bvh_traverse_Tree(_e664.unnamed_1.root, _e641.y));
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e652.unnamed.word, _e641.w), _e652.unnamed_1);
+                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_mask_LightPlace(_e641.x, _e658.unnamed_1.shift));
+                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e664.unnamed, lt_mask_LightPlace(_e664.unnamed_1.word, _e641.y));
                         } else {
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e680.unnamed.root, _e641.y), _e680.unnamed_1);
-                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_bvh_traverse_Tree(_e641.z, _e686.unnamed_1.first_primitive));
-                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_bvh_traverse_Tree(_e692.unnamed_1.root, _e641.w));
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e680.unnamed.word, _e641.y), _e680.unnamed_1);
+                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_mask_LightPlace(_e641.z, _e686.unnamed_1.shift));
+                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_mask_LightPlace(_e692.unnamed_1.word, _e641.w));
                         }
                         let _e700 = phi_1304_;
                         let _e710 = nodes.member[(0u + _e576)].y;
                         if (_e325 < 0f) {
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e721.unnamed.root, _e710.w), _e721.unnamed_1);
-                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_bvh_traverse_Tree(_e710.x, _e727.unnamed_1.first_primitive));
-                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_bvh_traverse_Tree(_e733.unnamed_1.root, _e710.y));
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e721.unnamed.word, _e710.w), _e721.unnamed_1);
+                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_mask_LightPlace(_e710.x, _e727.unnamed_1.shift));
+                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_mask_LightPlace(_e733.unnamed_1.word, _e710.y));
                         } else {
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e749.unnamed.root, _e710.y), _e749.unnamed_1);
-                            let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_bvh_traverse_Tree(_e710.z, _e755.unnamed_1.first_primitive));
-                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_bvh_traverse_Tree(_e761.unnamed_1.root, _e710.w));
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e749.unnamed.word, _e710.y), _e749.unnamed_1);
+                            let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_mask_LightPlace(_e710.z, _e755.unnamed_1.shift));
+                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_mask_LightPlace(_e761.unnamed_1.word, _e710.w));
                         }
                         let _e769 = phi_1331_;
                         let _e779 = nodes.member[(0u + _e576)].z;
                         if (_e337 < 0f) {
-                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e779.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e790.unnamed.root, _e779.w), _e790.unnamed_1);
-                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_bvh_traverse_Tree(_e779.x, _e796.unnamed_1.first_primitive));
-                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_bvh_traverse_Tree(_e802.unnamed_1.root, _e779.y));
+                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e790.unnamed.word, _e779.w), _e790.unnamed_1);
+                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_mask_LightPlace(_e779.x, _e796.unnamed_1.shift));
+                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_mask_LightPlace(_e802.unnamed_1.word, _e779.y));
                         } else {
-                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e779.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e818.unnamed.root, _e779.y), _e818.unnamed_1);
-                            let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_bvh_traverse_Tree(_e779.z, _e824.unnamed_1.first_primitive));
-                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_bvh_traverse_Tree(_e830.unnamed_1.root, _e779.w));
+                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e818.unnamed.word, _e779.y), _e818.unnamed_1);
+                            let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_mask_LightPlace(_e779.z, _e824.unnamed_1.shift));
+                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_mask_LightPlace(_e830.unnamed_1.word, _e779.w));
                         }
                         let _e838 = phi_1358_;
                         phi_1364_ = 0u;
@@ -1227,41 +1227,41 @@ fn function_() {
                                 let _e853 = (_e848 >> bitcast<u32>(2i));
                                 let _e854 = (_e848 & 3u);
                                 if (_e853 == 0u) {
-                                    phi_1381_ = _e700.unnamed.root;
+                                    phi_1381_ = _e700.unnamed.word;
                                 } else {
-                                    phi_1381_ = _e700.unnamed.first_primitive;
+                                    phi_1381_ = _e700.unnamed.shift;
                                 }
                                 let _e857 = phi_1381_;
                                 if (_e853 == 0u) {
-                                    phi_1391_ = _e769.unnamed.root;
+                                    phi_1391_ = _e769.unnamed.word;
                                 } else {
-                                    phi_1391_ = _e769.unnamed.first_primitive;
+                                    phi_1391_ = _e769.unnamed.shift;
                                 }
                                 let _e866 = phi_1391_;
                                 if (_e853 == 0u) {
-                                    phi_1401_ = _e838.unnamed.root;
+                                    phi_1401_ = _e838.unnamed.word;
                                 } else {
-                                    phi_1401_ = _e838.unnamed.first_primitive;
+                                    phi_1401_ = _e838.unnamed.shift;
                                 }
                                 let _e875 = phi_1401_;
                                 let _e888 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e857 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e610) + (_e631 - _e374)), ((f32(((_e866 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e611) + (_e632 - _e375)));
                                 let _e889 = core_intrinsics_maximum_number_nsz_f32_(_e888, ((f32(((_e875 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e612) + (_e633 - _e376)));
                                 if (_e853 == 0u) {
-                                    phi_1419_ = _e700.unnamed_1.root;
+                                    phi_1419_ = _e700.unnamed_1.word;
                                 } else {
-                                    phi_1419_ = _e700.unnamed_1.first_primitive;
+                                    phi_1419_ = _e700.unnamed_1.shift;
                                 }
                                 let _e892 = phi_1419_;
                                 if (_e853 == 0u) {
-                                    phi_1429_ = _e769.unnamed_1.root;
+                                    phi_1429_ = _e769.unnamed_1.word;
                                 } else {
-                                    phi_1429_ = _e769.unnamed_1.first_primitive;
+                                    phi_1429_ = _e769.unnamed_1.shift;
                                 }
                                 let _e901 = phi_1429_;
                                 if (_e853 == 0u) {
-                                    phi_1439_ = _e838.unnamed_1.root;
+                                    phi_1439_ = _e838.unnamed_1.word;
                                 } else {
-                                    phi_1439_ = _e838.unnamed_1.first_primitive;
+                                    phi_1439_ = _e838.unnamed_1.shift;
                                 }
                                 let _e910 = phi_1439_;
                                 let _e923 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e892 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e610) + (_e631 + _e374)), ((f32(((_e901 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e611) + (_e632 + _e375)));
@@ -2348,11 +2348,11 @@ fn function_() {
             phi_3053_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2324 = phi_3053_;
-        if (_e104.first_primitive < arrayLength((&samples.member))) {
+        if (_e104.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e104.first_primitive)] = _e2324;
+        samples.member[(0u + _e104.shift)] = _e2324;
         if (_e1812.triangle != 4294967295u) {
             let _e2333 = ((1f - _e1812.u) - _e1812.v);
             if (_e1812.triangle < _e80) {
@@ -2384,11 +2384,11 @@ fn function_() {
             phi_3144_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2396 = phi_3144_;
-        if (_e104.first_primitive < arrayLength((&past.member))) {
+        if (_e104.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e104.first_primitive)] = vec4<f32>(_e2396.x, _e2396.y, _e2396.z, 1f);
+        past.member[(0u + _e104.shift)] = vec4<f32>(_e2396.x, _e2396.y, _e2396.z, 1f);
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -158,19 +158,19 @@ var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_205_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_205_: lt_mask_LightPlace;
     var phi_206_: bool;
-    var phi_207_: lt_bvh_traverse_Tree;
+    var phi_207_: lt_mask_LightPlace;
     var phi_208_: bool;
-    var phi_213_: lt_bvh_traverse_Tree;
+    var phi_213_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_205_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_205_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_206_ = false;
         } else {
-            phi_205_ = lt_bvh_traverse_Tree();
+            phi_205_ = lt_mask_LightPlace();
             phi_206_ = true;
         }
         let _e81 = phi_205_;
@@ -178,18 +178,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_207_ = _e81;
         phi_208_ = _e83;
     } else {
-        phi_207_ = lt_bvh_traverse_Tree();
+        phi_207_ = lt_mask_LightPlace();
         phi_208_ = true;
     }
     let _e85 = phi_207_;
     let _e87 = phi_208_;
     if _e87 {
-        phi_213_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_213_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_213_ = _e85;
     }
     let _e92 = phi_213_;
-    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
+    return lt_mask_LightPlace(_e92.word, _e92.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -822,7 +822,7 @@ fn function_() {
     let _e92 = p.member.size[0u];
     let _e94 = p.member.size[1u];
     let _e95 = lt_shaders_entry_pixel_index(_e70, _e92, _e94);
-    if (bitcast<i32>(_e95.root) != 0i) {
+    if (bitcast<i32>(_e95.word) != 0i) {
         let _e103 = p.member.eye;
         let _e108 = p.member.size[0u];
         let _e112 = ((((f32(_e70.x) + 0.5f) / f32(_e108)) * 2f) - 1f);
@@ -1156,41 +1156,41 @@ fn function_() {
                         let _e624 = ((bitcast<f32>(_e614) - _e150.origin.z) * _e328);
                         let _e632 = nodes.member[(0u + _e567)].x;
                         if (_e304 < 0f) {
-                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e632.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e643.unnamed.root, _e632.w), _e643.unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_bvh_traverse_Tree(_e632.x, _e649.unnamed_1.first_primitive));
-                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e655.unnamed_1.root, _e632.y));
+                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e632.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e643.unnamed.word, _e632.w), _e643.unnamed_1);
+                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_mask_LightPlace(_e632.x, _e649.unnamed_1.shift));
+                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e655.unnamed_1.word, _e632.y));
                         } else {
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e632.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.unnamed.root, _e632.y), _e671.unnamed_1);
-                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_bvh_traverse_Tree(_e632.z, _e677.unnamed_1.first_primitive));
-                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e683.unnamed_1.root, _e632.w));
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e632.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.unnamed.word, _e632.y), _e671.unnamed_1);
+                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_mask_LightPlace(_e632.z, _e677.unnamed_1.shift));
+                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_mask_LightPlace(_e683.unnamed_1.word, _e632.w));
                         }
                         let _e691 = phi_1272_;
                         let _e701 = nodes.member[(0u + _e567)].y;
                         if (_e316 < 0f) {
-                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e712.unnamed.root, _e701.w), _e712.unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e701.x, _e718.unnamed_1.first_primitive));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e724.unnamed_1.root, _e701.y));
+                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e701.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.unnamed.word, _e701.w), _e712.unnamed_1);
+                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_mask_LightPlace(_e701.x, _e718.unnamed_1.shift));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e724.unnamed_1.word, _e701.y));
                         } else {
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e740.unnamed.root, _e701.y), _e740.unnamed_1);
-                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_bvh_traverse_Tree(_e701.z, _e746.unnamed_1.first_primitive));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e752.unnamed_1.root, _e701.w));
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e701.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.unnamed.word, _e701.y), _e740.unnamed_1);
+                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_mask_LightPlace(_e701.z, _e746.unnamed_1.shift));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_mask_LightPlace(_e752.unnamed_1.word, _e701.w));
                         }
                         let _e760 = phi_1299_;
                         let _e770 = nodes.member[(0u + _e567)].z;
                         if (_e328 < 0f) {
-                            let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e781.unnamed.root, _e770.w), _e781.unnamed_1);
-                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_bvh_traverse_Tree(_e770.x, _e787.unnamed_1.first_primitive));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_bvh_traverse_Tree(_e793.unnamed_1.root, _e770.y));
+                            let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e770.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e781.unnamed.word, _e770.w), _e781.unnamed_1);
+                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_mask_LightPlace(_e770.x, _e787.unnamed_1.shift));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_mask_LightPlace(_e793.unnamed_1.word, _e770.y));
                         } else {
-                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e809.unnamed.root, _e770.y), _e809.unnamed_1);
-                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e815.unnamed, lt_bvh_traverse_Tree(_e770.z, _e815.unnamed_1.first_primitive));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_bvh_traverse_Tree(_e821.unnamed_1.root, _e770.w));
+                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e770.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e809.unnamed.word, _e770.y), _e809.unnamed_1);
+                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e815.unnamed, lt_mask_LightPlace(_e770.z, _e815.unnamed_1.shift));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_mask_LightPlace(_e821.unnamed_1.word, _e770.w));
                         }
                         let _e829 = phi_1326_;
                         phi_1332_ = 0u;
@@ -1206,41 +1206,41 @@ fn function_() {
                                 let _e844 = (_e839 >> bitcast<u32>(2i));
                                 let _e845 = (_e839 & 3u);
                                 if (_e844 == 0u) {
-                                    phi_1349_ = _e691.unnamed.root;
+                                    phi_1349_ = _e691.unnamed.word;
                                 } else {
-                                    phi_1349_ = _e691.unnamed.first_primitive;
+                                    phi_1349_ = _e691.unnamed.shift;
                                 }
                                 let _e848 = phi_1349_;
                                 if (_e844 == 0u) {
-                                    phi_1359_ = _e760.unnamed.root;
+                                    phi_1359_ = _e760.unnamed.word;
                                 } else {
-                                    phi_1359_ = _e760.unnamed.first_primitive;
+                                    phi_1359_ = _e760.unnamed.shift;
                                 }
                                 let _e857 = phi_1359_;
                                 if (_e844 == 0u) {
-                                    phi_1369_ = _e829.unnamed.root;
+                                    phi_1369_ = _e829.unnamed.word;
                                 } else {
-                                    phi_1369_ = _e829.unnamed.first_primitive;
+                                    phi_1369_ = _e829.unnamed.shift;
                                 }
                                 let _e866 = phi_1369_;
                                 let _e879 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e848 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e601) + (_e622 - _e365)), ((f32(((_e857 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e602) + (_e623 - _e366)));
                                 let _e880 = core_intrinsics_maximum_number_nsz_f32_(_e879, ((f32(((_e866 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e603) + (_e624 - _e367)));
                                 if (_e844 == 0u) {
-                                    phi_1387_ = _e691.unnamed_1.root;
+                                    phi_1387_ = _e691.unnamed_1.word;
                                 } else {
-                                    phi_1387_ = _e691.unnamed_1.first_primitive;
+                                    phi_1387_ = _e691.unnamed_1.shift;
                                 }
                                 let _e883 = phi_1387_;
                                 if (_e844 == 0u) {
-                                    phi_1397_ = _e760.unnamed_1.root;
+                                    phi_1397_ = _e760.unnamed_1.word;
                                 } else {
-                                    phi_1397_ = _e760.unnamed_1.first_primitive;
+                                    phi_1397_ = _e760.unnamed_1.shift;
                                 }
                                 let _e892 = phi_1397_;
                                 if (_e844 == 0u) {
-                                    phi_1407_ = _e829.unnamed_1.root;
+                                    phi_1407_ = _e829.unnamed_1.word;
                                 } else {
-                                    phi_1407_ = _e829.unnamed_1.first_primitive;
+                                    phi_1407_ = _e829.unnamed_1.shift;
                                 }
                                 let _e901 = phi_1407_;
                                 let _e914 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e883 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e601) + (_e622 + _e365)), ((f32(((_e892 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e602) + (_e623 + _e366)));
@@ -2286,11 +2286,11 @@ fn function_() {
             phi_2960_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2273 = phi_2960_;
-        if (_e95.first_primitive < arrayLength((&samples.member))) {
+        if (_e95.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e95.first_primitive)] = _e2273;
+        samples.member[(0u + _e95.shift)] = _e2273;
     }
     return;
 }

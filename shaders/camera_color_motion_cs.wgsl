@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -166,19 +166,19 @@ var<storage> before: type_26;
 @group(0) @binding(8) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_213_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_213_: lt_mask_LightPlace;
     var phi_214_: bool;
-    var phi_215_: lt_bvh_traverse_Tree;
+    var phi_215_: lt_mask_LightPlace;
     var phi_216_: bool;
-    var phi_221_: lt_bvh_traverse_Tree;
+    var phi_221_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_213_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_213_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_214_ = false;
         } else {
-            phi_213_ = lt_bvh_traverse_Tree();
+            phi_213_ = lt_mask_LightPlace();
             phi_214_ = true;
         }
         let _e83 = phi_213_;
@@ -186,18 +186,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_215_ = _e83;
         phi_216_ = _e85;
     } else {
-        phi_215_ = lt_bvh_traverse_Tree();
+        phi_215_ = lt_mask_LightPlace();
         phi_216_ = true;
     }
     let _e87 = phi_215_;
     let _e89 = phi_216_;
     if _e89 {
-        phi_221_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_221_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_221_ = _e87;
     }
     let _e94 = phi_221_;
-    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+    return lt_mask_LightPlace(_e94.word, _e94.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -836,7 +836,7 @@ fn function_() {
     let _e100 = p.member.size[0u];
     let _e102 = p.member.size[1u];
     let _e103 = lt_shaders_entry_pixel_index(_e72, _e100, _e102);
-    if (bitcast<i32>(_e103.root) != 0i) {
+    if (bitcast<i32>(_e103.word) != 0i) {
         let _e111 = p.member.eye;
         let _e116 = p.member.size[0u];
         let _e120 = ((((f32(_e72.x) + 0.5f) / f32(_e116)) * 2f) - 1f);
@@ -1170,41 +1170,41 @@ fn function_() {
                         let _e632 = ((bitcast<f32>(_e622) - _e158.origin.z) * _e336);
                         let _e640 = nodes.member[(0u + _e575)].x;
                         if (_e312 < 0f) {
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e651.unnamed.root, _e640.w), _e651.unnamed_1);
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e657.unnamed, lt_bvh_traverse_Tree(_e640.x, _e657.unnamed_1.first_primitive));
-                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_bvh_traverse_Tree(_e663.unnamed_1.root, _e640.y));
+                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e651.unnamed.word, _e640.w), _e651.unnamed_1);
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e657.unnamed, lt_mask_LightPlace(_e640.x, _e657.unnamed_1.shift));
+                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_mask_LightPlace(_e663.unnamed_1.word, _e640.y));
                         } else {
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e679.unnamed.root, _e640.y), _e679.unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_bvh_traverse_Tree(_e640.z, _e685.unnamed_1.first_primitive));
-                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e691.unnamed_1.root, _e640.w));
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.unnamed.word, _e640.y), _e679.unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_mask_LightPlace(_e640.z, _e685.unnamed_1.shift));
+                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e691.unnamed_1.word, _e640.w));
                         }
                         let _e699 = phi_1286_;
                         let _e709 = nodes.member[(0u + _e575)].y;
                         if (_e324 < 0f) {
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.unnamed.root, _e709.w), _e720.unnamed_1);
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_bvh_traverse_Tree(_e709.x, _e726.unnamed_1.first_primitive));
-                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_bvh_traverse_Tree(_e732.unnamed_1.root, _e709.y));
+                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e720.unnamed.word, _e709.w), _e720.unnamed_1);
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_mask_LightPlace(_e709.x, _e726.unnamed_1.shift));
+                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e732.unnamed_1.word, _e709.y));
                         } else {
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e748.unnamed.root, _e709.y), _e748.unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_bvh_traverse_Tree(_e709.z, _e754.unnamed_1.first_primitive));
-                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e760.unnamed_1.root, _e709.w));
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.unnamed.word, _e709.y), _e748.unnamed_1);
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_mask_LightPlace(_e709.z, _e754.unnamed_1.shift));
+                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e760.unnamed_1.word, _e709.w));
                         }
                         let _e768 = phi_1313_;
                         let _e778 = nodes.member[(0u + _e575)].z;
                         if (_e336 < 0f) {
-                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e778.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e789.unnamed.root, _e778.w), _e789.unnamed_1);
-                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_bvh_traverse_Tree(_e778.x, _e795.unnamed_1.first_primitive));
-                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_bvh_traverse_Tree(_e801.unnamed_1.root, _e778.y));
+                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e778.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e789.unnamed.word, _e778.w), _e789.unnamed_1);
+                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_mask_LightPlace(_e778.x, _e795.unnamed_1.shift));
+                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e801.unnamed_1.word, _e778.y));
                         } else {
-                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e778.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e817.unnamed.root, _e778.y), _e817.unnamed_1);
-                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e823.unnamed, lt_bvh_traverse_Tree(_e778.z, _e823.unnamed_1.first_primitive));
-                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_bvh_traverse_Tree(_e829.unnamed_1.root, _e778.w));
+                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e778.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e817.unnamed.word, _e778.y), _e817.unnamed_1);
+                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e823.unnamed, lt_mask_LightPlace(_e778.z, _e823.unnamed_1.shift));
+                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_mask_LightPlace(_e829.unnamed_1.word, _e778.w));
                         }
                         let _e837 = phi_1340_;
                         phi_1346_ = 0u;
@@ -1220,41 +1220,41 @@ fn function_() {
                                 let _e852 = (_e847 >> bitcast<u32>(2i));
                                 let _e853 = (_e847 & 3u);
                                 if (_e852 == 0u) {
-                                    phi_1363_ = _e699.unnamed.root;
+                                    phi_1363_ = _e699.unnamed.word;
                                 } else {
-                                    phi_1363_ = _e699.unnamed.first_primitive;
+                                    phi_1363_ = _e699.unnamed.shift;
                                 }
                                 let _e856 = phi_1363_;
                                 if (_e852 == 0u) {
-                                    phi_1373_ = _e768.unnamed.root;
+                                    phi_1373_ = _e768.unnamed.word;
                                 } else {
-                                    phi_1373_ = _e768.unnamed.first_primitive;
+                                    phi_1373_ = _e768.unnamed.shift;
                                 }
                                 let _e865 = phi_1373_;
                                 if (_e852 == 0u) {
-                                    phi_1383_ = _e837.unnamed.root;
+                                    phi_1383_ = _e837.unnamed.word;
                                 } else {
-                                    phi_1383_ = _e837.unnamed.first_primitive;
+                                    phi_1383_ = _e837.unnamed.shift;
                                 }
                                 let _e874 = phi_1383_;
                                 let _e887 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e609) + (_e630 - _e373)), ((f32(((_e865 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e610) + (_e631 - _e374)));
                                 let _e888 = core_intrinsics_maximum_number_nsz_f32_(_e887, ((f32(((_e874 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e611) + (_e632 - _e375)));
                                 if (_e852 == 0u) {
-                                    phi_1401_ = _e699.unnamed_1.root;
+                                    phi_1401_ = _e699.unnamed_1.word;
                                 } else {
-                                    phi_1401_ = _e699.unnamed_1.first_primitive;
+                                    phi_1401_ = _e699.unnamed_1.shift;
                                 }
                                 let _e891 = phi_1401_;
                                 if (_e852 == 0u) {
-                                    phi_1411_ = _e768.unnamed_1.root;
+                                    phi_1411_ = _e768.unnamed_1.word;
                                 } else {
-                                    phi_1411_ = _e768.unnamed_1.first_primitive;
+                                    phi_1411_ = _e768.unnamed_1.shift;
                                 }
                                 let _e900 = phi_1411_;
                                 if (_e852 == 0u) {
-                                    phi_1421_ = _e837.unnamed_1.root;
+                                    phi_1421_ = _e837.unnamed_1.word;
                                 } else {
-                                    phi_1421_ = _e837.unnamed_1.first_primitive;
+                                    phi_1421_ = _e837.unnamed_1.shift;
                                 }
                                 let _e909 = phi_1421_;
                                 let _e922 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e891 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e609) + (_e630 + _e373)), ((f32(((_e900 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e610) + (_e631 + _e374)));
@@ -2300,11 +2300,11 @@ fn function_() {
             phi_2974_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2281 = phi_2974_;
-        if (_e103.first_primitive < arrayLength((&samples.member))) {
+        if (_e103.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e103.first_primitive)] = _e2281;
+        samples.member[(0u + _e103.shift)] = _e2281;
         if (_e1625.triangle != 4294967295u) {
             let _e2290 = ((1f - _e1625.u) - _e1625.v);
             if (_e1625.triangle < _e79) {
@@ -2336,11 +2336,11 @@ fn function_() {
             phi_3065_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2353 = phi_3065_;
-        if (_e103.first_primitive < arrayLength((&past.member))) {
+        if (_e103.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e103.first_primitive)] = vec4<f32>(_e2353.x, _e2353.y, _e2353.z, 1f);
+        past.member[(0u + _e103.shift)] = vec4<f32>(_e2353.x, _e2353.y, _e2353.z, 1f);
     }
     return;
 }

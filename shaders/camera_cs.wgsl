@@ -24,9 +24,9 @@ struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -91,8 +91,8 @@ struct type_37 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -135,19 +135,19 @@ var<storage> triangles: type_29;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_184_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_184_: lt_mask_LightPlace;
     var phi_185_: bool;
-    var phi_186_: lt_bvh_traverse_Tree;
+    var phi_186_: lt_mask_LightPlace;
     var phi_187_: bool;
-    var phi_192_: lt_bvh_traverse_Tree;
+    var phi_192_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_184_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_184_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_185_ = false;
         } else {
-            phi_184_ = lt_bvh_traverse_Tree();
+            phi_184_ = lt_mask_LightPlace();
             phi_185_ = true;
         }
         let _e73 = phi_184_;
@@ -155,18 +155,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_186_ = _e73;
         phi_187_ = _e75;
     } else {
-        phi_186_ = lt_bvh_traverse_Tree();
+        phi_186_ = lt_mask_LightPlace();
         phi_187_ = true;
     }
     let _e77 = phi_186_;
     let _e79 = phi_187_;
     if _e79 {
-        phi_192_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_192_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_192_ = _e77;
     }
     let _e84 = phi_192_;
-    return lt_bvh_traverse_Tree(_e84.root, _e84.first_primitive);
+    return lt_mask_LightPlace(_e84.word, _e84.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -451,7 +451,7 @@ fn function_() {
     let _e80 = p.member.size[0u];
     let _e82 = p.member.size[1u];
     let _e83 = lt_shaders_entry_pixel_index(_e61, _e80, _e82);
-    if (bitcast<i32>(_e83.root) != 0i) {
+    if (bitcast<i32>(_e83.word) != 0i) {
         let _e91 = p.member.eye;
         let _e96 = p.member.size[0u];
         let _e100 = ((((f32(_e61.x) + 0.5f) / f32(_e96)) * 2f) - 1f);
@@ -785,41 +785,41 @@ fn function_() {
                         let _e612 = ((bitcast<f32>(_e602) - _e138.origin.z) * _e316);
                         let _e620 = nodes.member[(0u + _e555)].x;
                         if (_e292 < 0f) {
-                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e620.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e631.unnamed.root, _e620.w), _e631.unnamed_1);
-                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e637.unnamed, lt_bvh_traverse_Tree(_e620.x, _e637.unnamed_1.first_primitive));
-                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e643.unnamed, lt_bvh_traverse_Tree(_e643.unnamed_1.root, _e620.y));
+                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e620.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e631.unnamed.word, _e620.w), _e631.unnamed_1);
+                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e637.unnamed, lt_mask_LightPlace(_e620.x, _e637.unnamed_1.shift));
+                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e643.unnamed, lt_mask_LightPlace(_e643.unnamed_1.word, _e620.y));
                         } else {
-                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e620.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e659.unnamed.root, _e620.y), _e659.unnamed_1);
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_bvh_traverse_Tree(_e620.z, _e665.unnamed_1.first_primitive));
-                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e671.unnamed_1.root, _e620.w));
+                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e620.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e659.unnamed.word, _e620.y), _e659.unnamed_1);
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_mask_LightPlace(_e620.z, _e665.unnamed_1.shift));
+                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_mask_LightPlace(_e671.unnamed_1.word, _e620.w));
                         }
                         let _e679 = phi_879_;
                         let _e689 = nodes.member[(0u + _e555)].y;
                         if (_e304 < 0f) {
-                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e689.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e700.unnamed.root, _e689.w), _e700.unnamed_1);
-                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e706.unnamed, lt_bvh_traverse_Tree(_e689.x, _e706.unnamed_1.first_primitive));
-                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_bvh_traverse_Tree(_e712.unnamed_1.root, _e689.y));
+                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e689.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e700.unnamed.word, _e689.w), _e700.unnamed_1);
+                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e706.unnamed, lt_mask_LightPlace(_e689.x, _e706.unnamed_1.shift));
+                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_mask_LightPlace(_e712.unnamed_1.word, _e689.y));
                         } else {
-                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e689.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e728.unnamed.root, _e689.y), _e728.unnamed_1);
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_bvh_traverse_Tree(_e689.z, _e734.unnamed_1.first_primitive));
-                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e740.unnamed_1.root, _e689.w));
+                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e689.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e728.unnamed.word, _e689.y), _e728.unnamed_1);
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_mask_LightPlace(_e689.z, _e734.unnamed_1.shift));
+                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_mask_LightPlace(_e740.unnamed_1.word, _e689.w));
                         }
                         let _e748 = phi_906_;
                         let _e758 = nodes.member[(0u + _e555)].z;
                         if (_e316 < 0f) {
-                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e758.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e769.unnamed.root, _e758.w), _e769.unnamed_1);
-                            let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e775.unnamed, lt_bvh_traverse_Tree(_e758.x, _e775.unnamed_1.first_primitive));
-                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e781.unnamed, lt_bvh_traverse_Tree(_e781.unnamed_1.root, _e758.y));
+                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e758.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e769.unnamed.word, _e758.w), _e769.unnamed_1);
+                            let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e775.unnamed, lt_mask_LightPlace(_e758.x, _e775.unnamed_1.shift));
+                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e781.unnamed, lt_mask_LightPlace(_e781.unnamed_1.word, _e758.y));
                         } else {
-                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e758.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e797.unnamed.root, _e758.y), _e797.unnamed_1);
-                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e803.unnamed, lt_bvh_traverse_Tree(_e758.z, _e803.unnamed_1.first_primitive));
-                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e809.unnamed, lt_bvh_traverse_Tree(_e809.unnamed_1.root, _e758.w));
+                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e758.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e797.unnamed.word, _e758.y), _e797.unnamed_1);
+                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e803.unnamed, lt_mask_LightPlace(_e758.z, _e803.unnamed_1.shift));
+                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e809.unnamed, lt_mask_LightPlace(_e809.unnamed_1.word, _e758.w));
                         }
                         let _e817 = phi_933_;
                         phi_939_ = 0u;
@@ -835,41 +835,41 @@ fn function_() {
                                 let _e832 = (_e827 >> bitcast<u32>(2i));
                                 let _e833 = (_e827 & 3u);
                                 if (_e832 == 0u) {
-                                    phi_956_ = _e679.unnamed.root;
+                                    phi_956_ = _e679.unnamed.word;
                                 } else {
-                                    phi_956_ = _e679.unnamed.first_primitive;
+                                    phi_956_ = _e679.unnamed.shift;
                                 }
                                 let _e836 = phi_956_;
                                 if (_e832 == 0u) {
-                                    phi_966_ = _e748.unnamed.root;
+                                    phi_966_ = _e748.unnamed.word;
                                 } else {
-                                    phi_966_ = _e748.unnamed.first_primitive;
+                                    phi_966_ = _e748.unnamed.shift;
                                 }
                                 let _e845 = phi_966_;
                                 if (_e832 == 0u) {
-                                    phi_976_ = _e817.unnamed.root;
+                                    phi_976_ = _e817.unnamed.word;
                                 } else {
-                                    phi_976_ = _e817.unnamed.first_primitive;
+                                    phi_976_ = _e817.unnamed.shift;
                                 }
                                 let _e854 = phi_976_;
                                 let _e867 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e836 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e589) + (_e610 - _e353)), ((f32(((_e845 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e590) + (_e611 - _e354)));
                                 let _e868 = core_intrinsics_maximum_number_nsz_f32_(_e867, ((f32(((_e854 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e591) + (_e612 - _e355)));
                                 if (_e832 == 0u) {
-                                    phi_994_ = _e679.unnamed_1.root;
+                                    phi_994_ = _e679.unnamed_1.word;
                                 } else {
-                                    phi_994_ = _e679.unnamed_1.first_primitive;
+                                    phi_994_ = _e679.unnamed_1.shift;
                                 }
                                 let _e871 = phi_994_;
                                 if (_e832 == 0u) {
-                                    phi_1004_ = _e748.unnamed_1.root;
+                                    phi_1004_ = _e748.unnamed_1.word;
                                 } else {
-                                    phi_1004_ = _e748.unnamed_1.first_primitive;
+                                    phi_1004_ = _e748.unnamed_1.shift;
                                 }
                                 let _e880 = phi_1004_;
                                 if (_e832 == 0u) {
-                                    phi_1014_ = _e817.unnamed_1.root;
+                                    phi_1014_ = _e817.unnamed_1.word;
                                 } else {
-                                    phi_1014_ = _e817.unnamed_1.first_primitive;
+                                    phi_1014_ = _e817.unnamed_1.shift;
                                 }
                                 let _e889 = phi_1014_;
                                 let _e902 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e871 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e589) + (_e610 + _e353)), ((f32(((_e880 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e590) + (_e611 + _e354)));
@@ -1879,11 +1879,11 @@ fn function_() {
             phi_2431_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2117 = phi_2431_;
-        if (_e83.first_primitive < arrayLength((&samples.member))) {
+        if (_e83.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e83.first_primitive)] = _e2117;
+        samples.member[(0u + _e83.shift)] = _e2117;
     }
     return;
 }

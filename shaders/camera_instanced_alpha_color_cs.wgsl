@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_43 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -177,19 +177,19 @@ var<storage> alpha_texels: type_13;
 @group(0) @binding(8) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_222_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_224_: lt_bvh_traverse_Tree;
+    var phi_224_: lt_mask_LightPlace;
     var phi_225_: bool;
-    var phi_230_: lt_bvh_traverse_Tree;
+    var phi_230_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_222_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_222_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_223_ = false;
         } else {
-            phi_222_ = lt_bvh_traverse_Tree();
+            phi_222_ = lt_mask_LightPlace();
             phi_223_ = true;
         }
         let _e83 = phi_222_;
@@ -197,18 +197,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_224_ = _e83;
         phi_225_ = _e85;
     } else {
-        phi_224_ = lt_bvh_traverse_Tree();
+        phi_224_ = lt_mask_LightPlace();
         phi_225_ = true;
     }
     let _e87 = phi_224_;
     let _e89 = phi_225_;
     if _e89 {
-        phi_230_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_230_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_230_ = _e87;
     }
     let _e94 = phi_230_;
-    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+    return lt_mask_LightPlace(_e94.word, _e94.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -931,7 +931,7 @@ fn function_() {
     let _e102 = p.member.size[0u];
     let _e104 = p.member.size[1u];
     let _e105 = lt_shaders_entry_pixel_index(_e74, _e102, _e104);
-    if (bitcast<i32>(_e105.root) != 0i) {
+    if (bitcast<i32>(_e105.word) != 0i) {
         let _e111 = p.member.root;
         let _e115 = p.member.eye;
         let _e120 = p.member.size[0u];
@@ -1225,41 +1225,41 @@ fn function_() {
                         let _e594 = ((bitcast<f32>(_e584) - _e162.origin.z) * _e340);
                         let _e602 = nodes.member[(0u + _e535)].x;
                         if (_e316 < 0f) {
-                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e613.unnamed.root, _e602.w), _e613.unnamed_1);
-                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_bvh_traverse_Tree(_e602.x, _e619.unnamed_1.first_primitive));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e625.unnamed_1.root, _e602.y));
+                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e613.unnamed.word, _e602.w), _e613.unnamed_1);
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_mask_LightPlace(_e602.x, _e619.unnamed_1.shift));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_mask_LightPlace(_e625.unnamed_1.word, _e602.y));
                         } else {
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e602.y), _e641.unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e602.z, _e647.unnamed_1.first_primitive));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e602.w));
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.unnamed.word, _e602.y), _e641.unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_mask_LightPlace(_e602.z, _e647.unnamed_1.shift));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e653.unnamed_1.word, _e602.w));
                         }
                         let _e661 = phi_1255_;
                         let _e671 = nodes.member[(0u + _e535)].y;
                         if (_e328 < 0f) {
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e682.unnamed.root, _e671.w), _e682.unnamed_1);
-                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_bvh_traverse_Tree(_e671.x, _e688.unnamed_1.first_primitive));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e694.unnamed_1.root, _e671.y));
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e682.unnamed.word, _e671.w), _e682.unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e671.x, _e688.unnamed_1.shift));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_mask_LightPlace(_e694.unnamed_1.word, _e671.y));
                         } else {
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e671.y), _e710.unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e671.z, _e716.unnamed_1.first_primitive));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e671.w));
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.unnamed.word, _e671.y), _e710.unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_mask_LightPlace(_e671.z, _e716.unnamed_1.shift));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e722.unnamed_1.word, _e671.w));
                         }
                         let _e730 = phi_1282_;
                         let _e740 = nodes.member[(0u + _e535)].z;
                         if (_e340 < 0f) {
-                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e740.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e751.unnamed.root, _e740.w), _e751.unnamed_1);
-                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_bvh_traverse_Tree(_e740.x, _e757.unnamed_1.first_primitive));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e763.unnamed_1.root, _e740.y));
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e751.unnamed.word, _e740.w), _e751.unnamed_1);
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e740.x, _e757.unnamed_1.shift));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e763.unnamed_1.word, _e740.y));
                         } else {
-                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e740.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e779.unnamed.root, _e740.y), _e779.unnamed_1);
-                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_bvh_traverse_Tree(_e740.z, _e785.unnamed_1.first_primitive));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_bvh_traverse_Tree(_e791.unnamed_1.root, _e740.w));
+                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.unnamed.word, _e740.y), _e779.unnamed_1);
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_mask_LightPlace(_e740.z, _e785.unnamed_1.shift));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e791.unnamed_1.word, _e740.w));
                         }
                         let _e799 = phi_1309_;
                         phi_1315_ = 0u;
@@ -1275,41 +1275,41 @@ fn function_() {
                                 let _e814 = (_e809 >> bitcast<u32>(2i));
                                 let _e815 = (_e809 & 3u);
                                 if (_e814 == 0u) {
-                                    phi_1332_ = _e661.unnamed.root;
+                                    phi_1332_ = _e661.unnamed.word;
                                 } else {
-                                    phi_1332_ = _e661.unnamed.first_primitive;
+                                    phi_1332_ = _e661.unnamed.shift;
                                 }
                                 let _e818 = phi_1332_;
                                 if (_e814 == 0u) {
-                                    phi_1342_ = _e730.unnamed.root;
+                                    phi_1342_ = _e730.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e730.unnamed.first_primitive;
+                                    phi_1342_ = _e730.unnamed.shift;
                                 }
                                 let _e827 = phi_1342_;
                                 if (_e814 == 0u) {
-                                    phi_1352_ = _e799.unnamed.root;
+                                    phi_1352_ = _e799.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e799.unnamed.first_primitive;
+                                    phi_1352_ = _e799.unnamed.shift;
                                 }
                                 let _e836 = phi_1352_;
                                 let _e849 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e818 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 - _e377)), ((f32(((_e827 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 - _e378)));
                                 let _e850 = core_intrinsics_maximum_number_nsz_f32_(_e849, ((f32(((_e836 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 - _e379)));
                                 if (_e814 == 0u) {
-                                    phi_1370_ = _e661.unnamed_1.root;
+                                    phi_1370_ = _e661.unnamed_1.word;
                                 } else {
-                                    phi_1370_ = _e661.unnamed_1.first_primitive;
+                                    phi_1370_ = _e661.unnamed_1.shift;
                                 }
                                 let _e853 = phi_1370_;
                                 if (_e814 == 0u) {
-                                    phi_1380_ = _e730.unnamed_1.root;
+                                    phi_1380_ = _e730.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e730.unnamed_1.first_primitive;
+                                    phi_1380_ = _e730.unnamed_1.shift;
                                 }
                                 let _e862 = phi_1380_;
                                 if (_e814 == 0u) {
-                                    phi_1390_ = _e799.unnamed_1.root;
+                                    phi_1390_ = _e799.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e799.unnamed_1.first_primitive;
+                                    phi_1390_ = _e799.unnamed_1.shift;
                                 }
                                 let _e871 = phi_1390_;
                                 let _e884 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e853 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 + _e377)), ((f32(((_e862 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 + _e378)));
@@ -1801,41 +1801,41 @@ fn function_() {
                                                             let _e1578 = ((bitcast<f32>(_e1571) - _e1098) * _e1307);
                                                             let _e1586 = nodes.member[(0u + _e1525)].x;
                                                             if (_e1287 < 0f) {
-                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1586.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1597.unnamed.root, _e1586.w), _e1597.unnamed_1);
-                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1603.unnamed, lt_bvh_traverse_Tree(_e1586.x, _e1603.unnamed_1.first_primitive));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_bvh_traverse_Tree(_e1609.unnamed_1.root, _e1586.y));
+                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1586.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1597.unnamed.word, _e1586.w), _e1597.unnamed_1);
+                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1603.unnamed, lt_mask_LightPlace(_e1586.x, _e1603.unnamed_1.shift));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_mask_LightPlace(_e1609.unnamed_1.word, _e1586.y));
                                                             } else {
-                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1586.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1625.unnamed.root, _e1586.y), _e1625.unnamed_1);
-                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1631.unnamed, lt_bvh_traverse_Tree(_e1586.z, _e1631.unnamed_1.first_primitive));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_bvh_traverse_Tree(_e1637.unnamed_1.root, _e1586.w));
+                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1586.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1625.unnamed.word, _e1586.y), _e1625.unnamed_1);
+                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1631.unnamed, lt_mask_LightPlace(_e1586.z, _e1631.unnamed_1.shift));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_mask_LightPlace(_e1637.unnamed_1.word, _e1586.w));
                                                             }
                                                             let _e1645 = phi_2214_;
                                                             let _e1655 = nodes.member[(0u + _e1525)].y;
                                                             if (_e1297 < 0f) {
-                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1655.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1666.unnamed.root, _e1655.w), _e1666.unnamed_1);
-                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1672.unnamed, lt_bvh_traverse_Tree(_e1655.x, _e1672.unnamed_1.first_primitive));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_bvh_traverse_Tree(_e1678.unnamed_1.root, _e1655.y));
+                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1655.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1666.unnamed.word, _e1655.w), _e1666.unnamed_1);
+                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1672.unnamed, lt_mask_LightPlace(_e1655.x, _e1672.unnamed_1.shift));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_mask_LightPlace(_e1678.unnamed_1.word, _e1655.y));
                                                             } else {
-                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1655.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1694.unnamed.root, _e1655.y), _e1694.unnamed_1);
-                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1700.unnamed, lt_bvh_traverse_Tree(_e1655.z, _e1700.unnamed_1.first_primitive));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_bvh_traverse_Tree(_e1706.unnamed_1.root, _e1655.w));
+                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1655.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1694.unnamed.word, _e1655.y), _e1694.unnamed_1);
+                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1700.unnamed, lt_mask_LightPlace(_e1655.z, _e1700.unnamed_1.shift));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_mask_LightPlace(_e1706.unnamed_1.word, _e1655.w));
                                                             }
                                                             let _e1714 = phi_2241_;
                                                             let _e1724 = nodes.member[(0u + _e1525)].z;
                                                             if (_e1307 < 0f) {
-                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1724.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1735.unnamed.root, _e1724.w), _e1735.unnamed_1);
-                                                                let _e1747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1741.unnamed, lt_bvh_traverse_Tree(_e1724.x, _e1741.unnamed_1.first_primitive));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1747.unnamed, lt_bvh_traverse_Tree(_e1747.unnamed_1.root, _e1724.y));
+                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1724.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1735.unnamed.word, _e1724.w), _e1735.unnamed_1);
+                                                                let _e1747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1741.unnamed, lt_mask_LightPlace(_e1724.x, _e1741.unnamed_1.shift));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1747.unnamed, lt_mask_LightPlace(_e1747.unnamed_1.word, _e1724.y));
                                                             } else {
-                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1724.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1763.unnamed.root, _e1724.y), _e1763.unnamed_1);
-                                                                let _e1775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1769.unnamed, lt_bvh_traverse_Tree(_e1724.z, _e1769.unnamed_1.first_primitive));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1775.unnamed, lt_bvh_traverse_Tree(_e1775.unnamed_1.root, _e1724.w));
+                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1724.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1763.unnamed.word, _e1724.y), _e1763.unnamed_1);
+                                                                let _e1775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1769.unnamed, lt_mask_LightPlace(_e1724.z, _e1769.unnamed_1.shift));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1775.unnamed, lt_mask_LightPlace(_e1775.unnamed_1.word, _e1724.w));
                                                             }
                                                             let _e1783 = phi_2268_;
                                                             phi_2274_ = 0u;
@@ -1851,41 +1851,41 @@ fn function_() {
                                                                     let _e1798 = (_e1793 >> bitcast<u32>(2i));
                                                                     let _e1799 = (_e1793 & 3u);
                                                                     if (_e1798 == 0u) {
-                                                                        phi_2291_ = _e1645.unnamed.root;
+                                                                        phi_2291_ = _e1645.unnamed.word;
                                                                     } else {
-                                                                        phi_2291_ = _e1645.unnamed.first_primitive;
+                                                                        phi_2291_ = _e1645.unnamed.shift;
                                                                     }
                                                                     let _e1802 = phi_2291_;
                                                                     if (_e1798 == 0u) {
-                                                                        phi_2301_ = _e1714.unnamed.root;
+                                                                        phi_2301_ = _e1714.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1714.unnamed.first_primitive;
+                                                                        phi_2301_ = _e1714.unnamed.shift;
                                                                     }
                                                                     let _e1811 = phi_2301_;
                                                                     if (_e1798 == 0u) {
-                                                                        phi_2311_ = _e1783.unnamed.root;
+                                                                        phi_2311_ = _e1783.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1783.unnamed.first_primitive;
+                                                                        phi_2311_ = _e1783.unnamed.shift;
                                                                     }
                                                                     let _e1820 = phi_2311_;
                                                                     let _e1833 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1802 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 - _e1335)), ((f32(((_e1811 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 - _e1336)));
                                                                     let _e1834 = core_intrinsics_maximum_number_nsz_f32_(_e1833, ((f32(((_e1820 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 - _e1337)));
                                                                     if (_e1798 == 0u) {
-                                                                        phi_2329_ = _e1645.unnamed_1.root;
+                                                                        phi_2329_ = _e1645.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2329_ = _e1645.unnamed_1.first_primitive;
+                                                                        phi_2329_ = _e1645.unnamed_1.shift;
                                                                     }
                                                                     let _e1837 = phi_2329_;
                                                                     if (_e1798 == 0u) {
-                                                                        phi_2339_ = _e1714.unnamed_1.root;
+                                                                        phi_2339_ = _e1714.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1714.unnamed_1.first_primitive;
+                                                                        phi_2339_ = _e1714.unnamed_1.shift;
                                                                     }
                                                                     let _e1846 = phi_2339_;
                                                                     if (_e1798 == 0u) {
-                                                                        phi_2349_ = _e1783.unnamed_1.root;
+                                                                        phi_2349_ = _e1783.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1783.unnamed_1.first_primitive;
+                                                                        phi_2349_ = _e1783.unnamed_1.shift;
                                                                     }
                                                                     let _e1855 = phi_2349_;
                                                                     let _e1868 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1837 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 + _e1335)), ((f32(((_e1846 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 + _e1336)));
@@ -3147,11 +3147,11 @@ fn function_() {
             phi_4299_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3613 = phi_4299_;
-        if (_e105.first_primitive < arrayLength((&samples.member))) {
+        if (_e105.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e105.first_primitive)] = _e3613;
+        samples.member[(0u + _e105.shift)] = _e3613;
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -185,19 +185,19 @@ var<storage> before: type_26;
 @group(0) @binding(10) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_228_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_228_: lt_mask_LightPlace;
     var phi_229_: bool;
-    var phi_230_: lt_bvh_traverse_Tree;
+    var phi_230_: lt_mask_LightPlace;
     var phi_231_: bool;
-    var phi_236_: lt_bvh_traverse_Tree;
+    var phi_236_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_228_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_228_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_229_ = false;
         } else {
-            phi_228_ = lt_bvh_traverse_Tree();
+            phi_228_ = lt_mask_LightPlace();
             phi_229_ = true;
         }
         let _e85 = phi_228_;
@@ -205,18 +205,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_230_ = _e85;
         phi_231_ = _e87;
     } else {
-        phi_230_ = lt_bvh_traverse_Tree();
+        phi_230_ = lt_mask_LightPlace();
         phi_231_ = true;
     }
     let _e89 = phi_230_;
     let _e91 = phi_231_;
     if _e91 {
-        phi_236_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_236_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_236_ = _e89;
     }
     let _e96 = phi_236_;
-    return lt_bvh_traverse_Tree(_e96.root, _e96.first_primitive);
+    return lt_mask_LightPlace(_e96.word, _e96.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -941,7 +941,7 @@ fn function_() {
     let _e110 = p.member.size[0u];
     let _e112 = p.member.size[1u];
     let _e113 = lt_shaders_entry_pixel_index(_e76, _e110, _e112);
-    if (bitcast<i32>(_e113.root) != 0i) {
+    if (bitcast<i32>(_e113.word) != 0i) {
         let _e119 = p.member.root;
         let _e123 = p.member.eye;
         let _e128 = p.member.size[0u];
@@ -1235,41 +1235,41 @@ fn function_() {
                         let _e602 = ((bitcast<f32>(_e592) - _e170.origin.z) * _e348);
                         let _e610 = nodes.member[(0u + _e543)].x;
                         if (_e324 < 0f) {
-                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e610.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e621.unnamed.root, _e610.w), _e621.unnamed_1);
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_bvh_traverse_Tree(_e610.x, _e627.unnamed_1.first_primitive));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_bvh_traverse_Tree(_e633.unnamed_1.root, _e610.y));
+                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e610.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e621.unnamed.word, _e610.w), _e621.unnamed_1);
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_mask_LightPlace(_e610.x, _e627.unnamed_1.shift));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_mask_LightPlace(_e633.unnamed_1.word, _e610.y));
                         } else {
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e610.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.unnamed.root, _e610.y), _e649.unnamed_1);
-                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e610.z, _e655.unnamed_1.first_primitive));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_bvh_traverse_Tree(_e661.unnamed_1.root, _e610.w));
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e610.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e649.unnamed.word, _e610.y), _e649.unnamed_1);
+                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e610.z, _e655.unnamed_1.shift));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_mask_LightPlace(_e661.unnamed_1.word, _e610.w));
                         }
                         let _e669 = phi_1265_;
                         let _e679 = nodes.member[(0u + _e543)].y;
                         if (_e336 < 0f) {
-                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e679.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.unnamed.root, _e679.w), _e690.unnamed_1);
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_bvh_traverse_Tree(_e679.x, _e696.unnamed_1.first_primitive));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_bvh_traverse_Tree(_e702.unnamed_1.root, _e679.y));
+                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e690.unnamed.word, _e679.w), _e690.unnamed_1);
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_mask_LightPlace(_e679.x, _e696.unnamed_1.shift));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_mask_LightPlace(_e702.unnamed_1.word, _e679.y));
                         } else {
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e679.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.unnamed.root, _e679.y), _e718.unnamed_1);
-                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e679.z, _e724.unnamed_1.first_primitive));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_bvh_traverse_Tree(_e730.unnamed_1.root, _e679.w));
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e718.unnamed.word, _e679.y), _e718.unnamed_1);
+                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e679.z, _e724.unnamed_1.shift));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_mask_LightPlace(_e730.unnamed_1.word, _e679.w));
                         }
                         let _e738 = phi_1292_;
                         let _e748 = nodes.member[(0u + _e543)].z;
                         if (_e348 < 0f) {
-                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e748.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.unnamed.root, _e748.w), _e759.unnamed_1);
-                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_bvh_traverse_Tree(_e748.x, _e765.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_bvh_traverse_Tree(_e771.unnamed_1.root, _e748.y));
+                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e759.unnamed.word, _e748.w), _e759.unnamed_1);
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_mask_LightPlace(_e748.x, _e765.unnamed_1.shift));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_mask_LightPlace(_e771.unnamed_1.word, _e748.y));
                         } else {
-                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e748.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e787.unnamed.root, _e748.y), _e787.unnamed_1);
-                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_bvh_traverse_Tree(_e748.z, _e793.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_bvh_traverse_Tree(_e799.unnamed_1.root, _e748.w));
+                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e787.unnamed.word, _e748.y), _e787.unnamed_1);
+                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_mask_LightPlace(_e748.z, _e793.unnamed_1.shift));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_mask_LightPlace(_e799.unnamed_1.word, _e748.w));
                         }
                         let _e807 = phi_1319_;
                         phi_1325_ = 0u;
@@ -1285,41 +1285,41 @@ fn function_() {
                                 let _e822 = (_e817 >> bitcast<u32>(2i));
                                 let _e823 = (_e817 & 3u);
                                 if (_e822 == 0u) {
-                                    phi_1342_ = _e669.unnamed.root;
+                                    phi_1342_ = _e669.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e669.unnamed.first_primitive;
+                                    phi_1342_ = _e669.unnamed.shift;
                                 }
                                 let _e826 = phi_1342_;
                                 if (_e822 == 0u) {
-                                    phi_1352_ = _e738.unnamed.root;
+                                    phi_1352_ = _e738.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e738.unnamed.first_primitive;
+                                    phi_1352_ = _e738.unnamed.shift;
                                 }
                                 let _e835 = phi_1352_;
                                 if (_e822 == 0u) {
-                                    phi_1362_ = _e807.unnamed.root;
+                                    phi_1362_ = _e807.unnamed.word;
                                 } else {
-                                    phi_1362_ = _e807.unnamed.first_primitive;
+                                    phi_1362_ = _e807.unnamed.shift;
                                 }
                                 let _e844 = phi_1362_;
                                 let _e857 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e826 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e579) + (_e600 - _e385)), ((f32(((_e835 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e580) + (_e601 - _e386)));
                                 let _e858 = core_intrinsics_maximum_number_nsz_f32_(_e857, ((f32(((_e844 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e581) + (_e602 - _e387)));
                                 if (_e822 == 0u) {
-                                    phi_1380_ = _e669.unnamed_1.root;
+                                    phi_1380_ = _e669.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e669.unnamed_1.first_primitive;
+                                    phi_1380_ = _e669.unnamed_1.shift;
                                 }
                                 let _e861 = phi_1380_;
                                 if (_e822 == 0u) {
-                                    phi_1390_ = _e738.unnamed_1.root;
+                                    phi_1390_ = _e738.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e738.unnamed_1.first_primitive;
+                                    phi_1390_ = _e738.unnamed_1.shift;
                                 }
                                 let _e870 = phi_1390_;
                                 if (_e822 == 0u) {
-                                    phi_1400_ = _e807.unnamed_1.root;
+                                    phi_1400_ = _e807.unnamed_1.word;
                                 } else {
-                                    phi_1400_ = _e807.unnamed_1.first_primitive;
+                                    phi_1400_ = _e807.unnamed_1.shift;
                                 }
                                 let _e879 = phi_1400_;
                                 let _e892 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e861 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e579) + (_e600 + _e385)), ((f32(((_e870 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e580) + (_e601 + _e386)));
@@ -1811,41 +1811,41 @@ fn function_() {
                                                             let _e1586 = ((bitcast<f32>(_e1579) - _e1106) * _e1315);
                                                             let _e1594 = nodes.member[(0u + _e1533)].x;
                                                             if (_e1295 < 0f) {
-                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1605.unnamed.root, _e1594.w), _e1605.unnamed_1);
-                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_bvh_traverse_Tree(_e1594.x, _e1611.unnamed_1.first_primitive));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_bvh_traverse_Tree(_e1617.unnamed_1.root, _e1594.y));
+                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1605.unnamed.word, _e1594.w), _e1605.unnamed_1);
+                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_mask_LightPlace(_e1594.x, _e1611.unnamed_1.shift));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_mask_LightPlace(_e1617.unnamed_1.word, _e1594.y));
                                                             } else {
-                                                                let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1633.unnamed.root, _e1594.y), _e1633.unnamed_1);
-                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1639.unnamed, lt_bvh_traverse_Tree(_e1594.z, _e1639.unnamed_1.first_primitive));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1645.unnamed, lt_bvh_traverse_Tree(_e1645.unnamed_1.root, _e1594.w));
+                                                                let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1633.unnamed.word, _e1594.y), _e1633.unnamed_1);
+                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1639.unnamed, lt_mask_LightPlace(_e1594.z, _e1639.unnamed_1.shift));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1645.unnamed, lt_mask_LightPlace(_e1645.unnamed_1.word, _e1594.w));
                                                             }
                                                             let _e1653 = phi_2224_;
                                                             let _e1663 = nodes.member[(0u + _e1533)].y;
                                                             if (_e1305 < 0f) {
-                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1674.unnamed.root, _e1663.w), _e1674.unnamed_1);
-                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_bvh_traverse_Tree(_e1663.x, _e1680.unnamed_1.first_primitive));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_bvh_traverse_Tree(_e1686.unnamed_1.root, _e1663.y));
+                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1674.unnamed.word, _e1663.w), _e1674.unnamed_1);
+                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_mask_LightPlace(_e1663.x, _e1680.unnamed_1.shift));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_mask_LightPlace(_e1686.unnamed_1.word, _e1663.y));
                                                             } else {
-                                                                let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1702.unnamed.root, _e1663.y), _e1702.unnamed_1);
-                                                                let _e1714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1708.unnamed, lt_bvh_traverse_Tree(_e1663.z, _e1708.unnamed_1.first_primitive));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1714.unnamed, lt_bvh_traverse_Tree(_e1714.unnamed_1.root, _e1663.w));
+                                                                let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1702.unnamed.word, _e1663.y), _e1702.unnamed_1);
+                                                                let _e1714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1708.unnamed, lt_mask_LightPlace(_e1663.z, _e1708.unnamed_1.shift));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1714.unnamed, lt_mask_LightPlace(_e1714.unnamed_1.word, _e1663.w));
                                                             }
                                                             let _e1722 = phi_2251_;
                                                             let _e1732 = nodes.member[(0u + _e1533)].z;
                                                             if (_e1315 < 0f) {
-                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1743.unnamed.root, _e1732.w), _e1743.unnamed_1);
-                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1749.unnamed, lt_bvh_traverse_Tree(_e1732.x, _e1749.unnamed_1.first_primitive));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1755.unnamed, lt_bvh_traverse_Tree(_e1755.unnamed_1.root, _e1732.y));
+                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1743.unnamed.word, _e1732.w), _e1743.unnamed_1);
+                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1749.unnamed, lt_mask_LightPlace(_e1732.x, _e1749.unnamed_1.shift));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1755.unnamed, lt_mask_LightPlace(_e1755.unnamed_1.word, _e1732.y));
                                                             } else {
-                                                                let _e1771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1771.unnamed.root, _e1732.y), _e1771.unnamed_1);
-                                                                let _e1783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1777.unnamed, lt_bvh_traverse_Tree(_e1732.z, _e1777.unnamed_1.first_primitive));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1783.unnamed, lt_bvh_traverse_Tree(_e1783.unnamed_1.root, _e1732.w));
+                                                                let _e1771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1771.unnamed.word, _e1732.y), _e1771.unnamed_1);
+                                                                let _e1783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1777.unnamed, lt_mask_LightPlace(_e1732.z, _e1777.unnamed_1.shift));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1783.unnamed, lt_mask_LightPlace(_e1783.unnamed_1.word, _e1732.w));
                                                             }
                                                             let _e1791 = phi_2278_;
                                                             phi_2284_ = 0u;
@@ -1861,41 +1861,41 @@ fn function_() {
                                                                     let _e1806 = (_e1801 >> bitcast<u32>(2i));
                                                                     let _e1807 = (_e1801 & 3u);
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2301_ = _e1653.unnamed.root;
+                                                                        phi_2301_ = _e1653.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1653.unnamed.first_primitive;
+                                                                        phi_2301_ = _e1653.unnamed.shift;
                                                                     }
                                                                     let _e1810 = phi_2301_;
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2311_ = _e1722.unnamed.root;
+                                                                        phi_2311_ = _e1722.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1722.unnamed.first_primitive;
+                                                                        phi_2311_ = _e1722.unnamed.shift;
                                                                     }
                                                                     let _e1819 = phi_2311_;
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2321_ = _e1791.unnamed.root;
+                                                                        phi_2321_ = _e1791.unnamed.word;
                                                                     } else {
-                                                                        phi_2321_ = _e1791.unnamed.first_primitive;
+                                                                        phi_2321_ = _e1791.unnamed.shift;
                                                                     }
                                                                     let _e1828 = phi_2321_;
                                                                     let _e1841 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1810 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1566) + (_e1584 - _e1343)), ((f32(((_e1819 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1567) + (_e1585 - _e1344)));
                                                                     let _e1842 = core_intrinsics_maximum_number_nsz_f32_(_e1841, ((f32(((_e1828 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1568) + (_e1586 - _e1345)));
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2339_ = _e1653.unnamed_1.root;
+                                                                        phi_2339_ = _e1653.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1653.unnamed_1.first_primitive;
+                                                                        phi_2339_ = _e1653.unnamed_1.shift;
                                                                     }
                                                                     let _e1845 = phi_2339_;
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2349_ = _e1722.unnamed_1.root;
+                                                                        phi_2349_ = _e1722.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1722.unnamed_1.first_primitive;
+                                                                        phi_2349_ = _e1722.unnamed_1.shift;
                                                                     }
                                                                     let _e1854 = phi_2349_;
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2359_ = _e1791.unnamed_1.root;
+                                                                        phi_2359_ = _e1791.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2359_ = _e1791.unnamed_1.first_primitive;
+                                                                        phi_2359_ = _e1791.unnamed_1.shift;
                                                                     }
                                                                     let _e1863 = phi_2359_;
                                                                     let _e1876 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1845 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1566) + (_e1584 + _e1343)), ((f32(((_e1854 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1567) + (_e1585 + _e1344)));
@@ -3157,11 +3157,11 @@ fn function_() {
             phi_4309_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3621 = phi_4309_;
-        if (_e113.first_primitive < arrayLength((&samples.member))) {
+        if (_e113.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e113.first_primitive)] = _e3621;
+        samples.member[(0u + _e113.shift)] = _e3621;
         if (_e2837.triangle != 4294967295u) {
             let _e3630 = ((1f - _e2837.u) - _e2837.v);
             if (_e2837.triangle < _e83) {
@@ -3211,11 +3211,11 @@ fn function_() {
             phi_4532_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e3810 = phi_4532_;
-        if (_e113.first_primitive < arrayLength((&past.member))) {
+        if (_e113.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e113.first_primitive)] = vec4<f32>(_e3810.x, _e3810.y, _e3810.z, 1f);
+        past.member[(0u + _e113.shift)] = vec4<f32>(_e3810.x, _e3810.y, _e3810.z, 1f);
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_43 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -175,19 +175,19 @@ var<storage> instances: type_57;
 @group(0) @binding(7) 
 var<storage> alpha_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_223_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_223_: lt_mask_LightPlace;
     var phi_224_: bool;
-    var phi_225_: lt_bvh_traverse_Tree;
+    var phi_225_: lt_mask_LightPlace;
     var phi_226_: bool;
-    var phi_231_: lt_bvh_traverse_Tree;
+    var phi_231_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_223_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_223_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_224_ = false;
         } else {
-            phi_223_ = lt_bvh_traverse_Tree();
+            phi_223_ = lt_mask_LightPlace();
             phi_224_ = true;
         }
         let _e82 = phi_223_;
@@ -195,18 +195,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_225_ = _e82;
         phi_226_ = _e84;
     } else {
-        phi_225_ = lt_bvh_traverse_Tree();
+        phi_225_ = lt_mask_LightPlace();
         phi_226_ = true;
     }
     let _e86 = phi_225_;
     let _e88 = phi_226_;
     if _e88 {
-        phi_231_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_231_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_231_ = _e86;
     }
     let _e93 = phi_231_;
-    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+    return lt_mask_LightPlace(_e93.word, _e93.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -930,7 +930,7 @@ fn function_() {
     let _e97 = p.member.size[0u];
     let _e99 = p.member.size[1u];
     let _e100 = lt_shaders_entry_pixel_index(_e72, _e97, _e99);
-    if (bitcast<i32>(_e100.root) != 0i) {
+    if (bitcast<i32>(_e100.word) != 0i) {
         let _e106 = p.member.root;
         let _e110 = p.member.eye;
         let _e115 = p.member.size[0u];
@@ -1224,41 +1224,41 @@ fn function_() {
                         let _e589 = ((bitcast<f32>(_e579) - _e157.origin.z) * _e335);
                         let _e597 = nodes.member[(0u + _e530)].x;
                         if (_e311 < 0f) {
-                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e608.unnamed.root, _e597.w), _e608.unnamed_1);
-                            let _e620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e614.unnamed, lt_bvh_traverse_Tree(_e597.x, _e614.unnamed_1.first_primitive));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e620.unnamed, lt_bvh_traverse_Tree(_e620.unnamed_1.root, _e597.y));
+                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e597.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e608.unnamed.word, _e597.w), _e608.unnamed_1);
+                            let _e620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e614.unnamed, lt_mask_LightPlace(_e597.x, _e614.unnamed_1.shift));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e620.unnamed, lt_mask_LightPlace(_e620.unnamed_1.word, _e597.y));
                         } else {
-                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e636.unnamed.root, _e597.y), _e636.unnamed_1);
-                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_bvh_traverse_Tree(_e597.z, _e642.unnamed_1.first_primitive));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e648.unnamed_1.root, _e597.w));
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e597.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.unnamed.word, _e597.y), _e636.unnamed_1);
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_mask_LightPlace(_e597.z, _e642.unnamed_1.shift));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_mask_LightPlace(_e648.unnamed_1.word, _e597.w));
                         }
                         let _e656 = phi_1255_;
                         let _e666 = nodes.member[(0u + _e530)].y;
                         if (_e323 < 0f) {
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e677.unnamed.root, _e666.w), _e677.unnamed_1);
-                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e666.x, _e683.unnamed_1.first_primitive));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e689.unnamed_1.root, _e666.y));
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e666.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e677.unnamed.word, _e666.w), _e677.unnamed_1);
+                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_mask_LightPlace(_e666.x, _e683.unnamed_1.shift));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_mask_LightPlace(_e689.unnamed_1.word, _e666.y));
                         } else {
-                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e705.unnamed.root, _e666.y), _e705.unnamed_1);
-                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_bvh_traverse_Tree(_e666.z, _e711.unnamed_1.first_primitive));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e717.unnamed_1.root, _e666.w));
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e666.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.unnamed.word, _e666.y), _e705.unnamed_1);
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_mask_LightPlace(_e666.z, _e711.unnamed_1.shift));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_mask_LightPlace(_e717.unnamed_1.word, _e666.w));
                         }
                         let _e725 = phi_1282_;
                         let _e735 = nodes.member[(0u + _e530)].z;
                         if (_e335 < 0f) {
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e746.unnamed.root, _e735.w), _e746.unnamed_1);
-                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e735.x, _e752.unnamed_1.first_primitive));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e758.unnamed_1.root, _e735.y));
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e735.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e746.unnamed.word, _e735.w), _e746.unnamed_1);
+                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_mask_LightPlace(_e735.x, _e752.unnamed_1.shift));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_mask_LightPlace(_e758.unnamed_1.word, _e735.y));
                         } else {
-                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e774.unnamed.root, _e735.y), _e774.unnamed_1);
-                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_bvh_traverse_Tree(_e735.z, _e780.unnamed_1.first_primitive));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_bvh_traverse_Tree(_e786.unnamed_1.root, _e735.w));
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e735.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.unnamed.word, _e735.y), _e774.unnamed_1);
+                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_mask_LightPlace(_e735.z, _e780.unnamed_1.shift));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_mask_LightPlace(_e786.unnamed_1.word, _e735.w));
                         }
                         let _e794 = phi_1309_;
                         phi_1315_ = 0u;
@@ -1274,41 +1274,41 @@ fn function_() {
                                 let _e809 = (_e804 >> bitcast<u32>(2i));
                                 let _e810 = (_e804 & 3u);
                                 if (_e809 == 0u) {
-                                    phi_1332_ = _e656.unnamed.root;
+                                    phi_1332_ = _e656.unnamed.word;
                                 } else {
-                                    phi_1332_ = _e656.unnamed.first_primitive;
+                                    phi_1332_ = _e656.unnamed.shift;
                                 }
                                 let _e813 = phi_1332_;
                                 if (_e809 == 0u) {
-                                    phi_1342_ = _e725.unnamed.root;
+                                    phi_1342_ = _e725.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e725.unnamed.first_primitive;
+                                    phi_1342_ = _e725.unnamed.shift;
                                 }
                                 let _e822 = phi_1342_;
                                 if (_e809 == 0u) {
-                                    phi_1352_ = _e794.unnamed.root;
+                                    phi_1352_ = _e794.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e794.unnamed.first_primitive;
+                                    phi_1352_ = _e794.unnamed.shift;
                                 }
                                 let _e831 = phi_1352_;
                                 let _e844 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e813 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e566) + (_e587 - _e372)), ((f32(((_e822 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e567) + (_e588 - _e373)));
                                 let _e845 = core_intrinsics_maximum_number_nsz_f32_(_e844, ((f32(((_e831 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e568) + (_e589 - _e374)));
                                 if (_e809 == 0u) {
-                                    phi_1370_ = _e656.unnamed_1.root;
+                                    phi_1370_ = _e656.unnamed_1.word;
                                 } else {
-                                    phi_1370_ = _e656.unnamed_1.first_primitive;
+                                    phi_1370_ = _e656.unnamed_1.shift;
                                 }
                                 let _e848 = phi_1370_;
                                 if (_e809 == 0u) {
-                                    phi_1380_ = _e725.unnamed_1.root;
+                                    phi_1380_ = _e725.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e725.unnamed_1.first_primitive;
+                                    phi_1380_ = _e725.unnamed_1.shift;
                                 }
                                 let _e857 = phi_1380_;
                                 if (_e809 == 0u) {
-                                    phi_1390_ = _e794.unnamed_1.root;
+                                    phi_1390_ = _e794.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e794.unnamed_1.first_primitive;
+                                    phi_1390_ = _e794.unnamed_1.shift;
                                 }
                                 let _e866 = phi_1390_;
                                 let _e879 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e848 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e566) + (_e587 + _e372)), ((f32(((_e857 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e567) + (_e588 + _e373)));
@@ -1800,41 +1800,41 @@ fn function_() {
                                                             let _e1573 = ((bitcast<f32>(_e1566) - _e1093) * _e1302);
                                                             let _e1581 = nodes.member[(0u + _e1520)].x;
                                                             if (_e1282 < 0f) {
-                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1581.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1592.unnamed.root, _e1581.w), _e1592.unnamed_1);
-                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1598.unnamed, lt_bvh_traverse_Tree(_e1581.x, _e1598.unnamed_1.first_primitive));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_bvh_traverse_Tree(_e1604.unnamed_1.root, _e1581.y));
+                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1581.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1592.unnamed.word, _e1581.w), _e1592.unnamed_1);
+                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1598.unnamed, lt_mask_LightPlace(_e1581.x, _e1598.unnamed_1.shift));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_mask_LightPlace(_e1604.unnamed_1.word, _e1581.y));
                                                             } else {
-                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1581.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1620.unnamed.root, _e1581.y), _e1620.unnamed_1);
-                                                                let _e1632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1626.unnamed, lt_bvh_traverse_Tree(_e1581.z, _e1626.unnamed_1.first_primitive));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1632.unnamed, lt_bvh_traverse_Tree(_e1632.unnamed_1.root, _e1581.w));
+                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1581.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1620.unnamed.word, _e1581.y), _e1620.unnamed_1);
+                                                                let _e1632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1626.unnamed, lt_mask_LightPlace(_e1581.z, _e1626.unnamed_1.shift));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1632.unnamed, lt_mask_LightPlace(_e1632.unnamed_1.word, _e1581.w));
                                                             }
                                                             let _e1640 = phi_2214_;
                                                             let _e1650 = nodes.member[(0u + _e1520)].y;
                                                             if (_e1292 < 0f) {
-                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1650.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1661.unnamed.root, _e1650.w), _e1661.unnamed_1);
-                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1667.unnamed, lt_bvh_traverse_Tree(_e1650.x, _e1667.unnamed_1.first_primitive));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_bvh_traverse_Tree(_e1673.unnamed_1.root, _e1650.y));
+                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1650.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1661.unnamed.word, _e1650.w), _e1661.unnamed_1);
+                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1667.unnamed, lt_mask_LightPlace(_e1650.x, _e1667.unnamed_1.shift));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_mask_LightPlace(_e1673.unnamed_1.word, _e1650.y));
                                                             } else {
-                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1650.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1689.unnamed.root, _e1650.y), _e1689.unnamed_1);
-                                                                let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1695.unnamed, lt_bvh_traverse_Tree(_e1650.z, _e1695.unnamed_1.first_primitive));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_bvh_traverse_Tree(_e1701.unnamed_1.root, _e1650.w));
+                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1650.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1689.unnamed.word, _e1650.y), _e1689.unnamed_1);
+                                                                let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1695.unnamed, lt_mask_LightPlace(_e1650.z, _e1695.unnamed_1.shift));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_mask_LightPlace(_e1701.unnamed_1.word, _e1650.w));
                                                             }
                                                             let _e1709 = phi_2241_;
                                                             let _e1719 = nodes.member[(0u + _e1520)].z;
                                                             if (_e1302 < 0f) {
-                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1719.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1730.unnamed.root, _e1719.w), _e1730.unnamed_1);
-                                                                let _e1742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1736.unnamed, lt_bvh_traverse_Tree(_e1719.x, _e1736.unnamed_1.first_primitive));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1742.unnamed, lt_bvh_traverse_Tree(_e1742.unnamed_1.root, _e1719.y));
+                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1719.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1730.unnamed.word, _e1719.w), _e1730.unnamed_1);
+                                                                let _e1742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1736.unnamed, lt_mask_LightPlace(_e1719.x, _e1736.unnamed_1.shift));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1742.unnamed, lt_mask_LightPlace(_e1742.unnamed_1.word, _e1719.y));
                                                             } else {
-                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1719.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1758.unnamed.root, _e1719.y), _e1758.unnamed_1);
-                                                                let _e1770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1764.unnamed, lt_bvh_traverse_Tree(_e1719.z, _e1764.unnamed_1.first_primitive));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1770.unnamed, lt_bvh_traverse_Tree(_e1770.unnamed_1.root, _e1719.w));
+                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1719.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1758.unnamed.word, _e1719.y), _e1758.unnamed_1);
+                                                                let _e1770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1764.unnamed, lt_mask_LightPlace(_e1719.z, _e1764.unnamed_1.shift));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1770.unnamed, lt_mask_LightPlace(_e1770.unnamed_1.word, _e1719.w));
                                                             }
                                                             let _e1778 = phi_2268_;
                                                             phi_2274_ = 0u;
@@ -1850,41 +1850,41 @@ fn function_() {
                                                                     let _e1793 = (_e1788 >> bitcast<u32>(2i));
                                                                     let _e1794 = (_e1788 & 3u);
                                                                     if (_e1793 == 0u) {
-                                                                        phi_2291_ = _e1640.unnamed.root;
+                                                                        phi_2291_ = _e1640.unnamed.word;
                                                                     } else {
-                                                                        phi_2291_ = _e1640.unnamed.first_primitive;
+                                                                        phi_2291_ = _e1640.unnamed.shift;
                                                                     }
                                                                     let _e1797 = phi_2291_;
                                                                     if (_e1793 == 0u) {
-                                                                        phi_2301_ = _e1709.unnamed.root;
+                                                                        phi_2301_ = _e1709.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1709.unnamed.first_primitive;
+                                                                        phi_2301_ = _e1709.unnamed.shift;
                                                                     }
                                                                     let _e1806 = phi_2301_;
                                                                     if (_e1793 == 0u) {
-                                                                        phi_2311_ = _e1778.unnamed.root;
+                                                                        phi_2311_ = _e1778.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1778.unnamed.first_primitive;
+                                                                        phi_2311_ = _e1778.unnamed.shift;
                                                                     }
                                                                     let _e1815 = phi_2311_;
                                                                     let _e1828 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1797 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 - _e1330)), ((f32(((_e1806 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 - _e1331)));
                                                                     let _e1829 = core_intrinsics_maximum_number_nsz_f32_(_e1828, ((f32(((_e1815 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 - _e1332)));
                                                                     if (_e1793 == 0u) {
-                                                                        phi_2329_ = _e1640.unnamed_1.root;
+                                                                        phi_2329_ = _e1640.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2329_ = _e1640.unnamed_1.first_primitive;
+                                                                        phi_2329_ = _e1640.unnamed_1.shift;
                                                                     }
                                                                     let _e1832 = phi_2329_;
                                                                     if (_e1793 == 0u) {
-                                                                        phi_2339_ = _e1709.unnamed_1.root;
+                                                                        phi_2339_ = _e1709.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1709.unnamed_1.first_primitive;
+                                                                        phi_2339_ = _e1709.unnamed_1.shift;
                                                                     }
                                                                     let _e1841 = phi_2339_;
                                                                     if (_e1793 == 0u) {
-                                                                        phi_2349_ = _e1778.unnamed_1.root;
+                                                                        phi_2349_ = _e1778.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1778.unnamed_1.first_primitive;
+                                                                        phi_2349_ = _e1778.unnamed_1.shift;
                                                                     }
                                                                     let _e1850 = phi_2349_;
                                                                     let _e1863 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1832 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 + _e1330)), ((f32(((_e1841 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 + _e1331)));
@@ -3110,11 +3110,11 @@ fn function_() {
             phi_4163_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3464 = phi_4163_;
-        if (_e100.first_primitive < arrayLength((&samples.member))) {
+        if (_e100.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e100.first_primitive)] = _e3464;
+        samples.member[(0u + _e100.shift)] = _e3464;
     }
     return;
 }

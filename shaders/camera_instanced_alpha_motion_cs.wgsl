@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -183,19 +183,19 @@ var<storage> before: type_26;
 @group(0) @binding(9) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_229_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_229_: lt_mask_LightPlace;
     var phi_230_: bool;
-    var phi_231_: lt_bvh_traverse_Tree;
+    var phi_231_: lt_mask_LightPlace;
     var phi_232_: bool;
-    var phi_237_: lt_bvh_traverse_Tree;
+    var phi_237_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_229_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_229_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_230_ = false;
         } else {
-            phi_229_ = lt_bvh_traverse_Tree();
+            phi_229_ = lt_mask_LightPlace();
             phi_230_ = true;
         }
         let _e84 = phi_229_;
@@ -203,18 +203,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_231_ = _e84;
         phi_232_ = _e86;
     } else {
-        phi_231_ = lt_bvh_traverse_Tree();
+        phi_231_ = lt_mask_LightPlace();
         phi_232_ = true;
     }
     let _e88 = phi_231_;
     let _e90 = phi_232_;
     if _e90 {
-        phi_237_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_237_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_237_ = _e88;
     }
     let _e95 = phi_237_;
-    return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
+    return lt_mask_LightPlace(_e95.word, _e95.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -940,7 +940,7 @@ fn function_() {
     let _e105 = p.member.size[0u];
     let _e107 = p.member.size[1u];
     let _e108 = lt_shaders_entry_pixel_index(_e74, _e105, _e107);
-    if (bitcast<i32>(_e108.root) != 0i) {
+    if (bitcast<i32>(_e108.word) != 0i) {
         let _e114 = p.member.root;
         let _e118 = p.member.eye;
         let _e123 = p.member.size[0u];
@@ -1234,41 +1234,41 @@ fn function_() {
                         let _e597 = ((bitcast<f32>(_e587) - _e165.origin.z) * _e343);
                         let _e605 = nodes.member[(0u + _e538)].x;
                         if (_e319 < 0f) {
-                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e616.unnamed.root, _e605.w), _e616.unnamed_1);
-                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_bvh_traverse_Tree(_e605.x, _e622.unnamed_1.first_primitive));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_bvh_traverse_Tree(_e628.unnamed_1.root, _e605.y));
+                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e605.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e616.unnamed.word, _e605.w), _e616.unnamed_1);
+                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_mask_LightPlace(_e605.x, _e622.unnamed_1.shift));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_mask_LightPlace(_e628.unnamed_1.word, _e605.y));
                         } else {
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e644.unnamed.root, _e605.y), _e644.unnamed_1);
-                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e605.z, _e650.unnamed_1.first_primitive));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_bvh_traverse_Tree(_e656.unnamed_1.root, _e605.w));
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e605.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e644.unnamed.word, _e605.y), _e644.unnamed_1);
+                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_mask_LightPlace(_e605.z, _e650.unnamed_1.shift));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_mask_LightPlace(_e656.unnamed_1.word, _e605.w));
                         }
                         let _e664 = phi_1265_;
                         let _e674 = nodes.member[(0u + _e538)].y;
                         if (_e331 < 0f) {
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e685.unnamed.root, _e674.w), _e685.unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e674.x, _e691.unnamed_1.first_primitive));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e697.unnamed_1.root, _e674.y));
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e685.unnamed.word, _e674.w), _e685.unnamed_1);
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e674.x, _e691.unnamed_1.shift));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_mask_LightPlace(_e697.unnamed_1.word, _e674.y));
                         } else {
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e713.unnamed.root, _e674.y), _e713.unnamed_1);
-                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e674.z, _e719.unnamed_1.first_primitive));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_bvh_traverse_Tree(_e725.unnamed_1.root, _e674.w));
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e713.unnamed.word, _e674.y), _e713.unnamed_1);
+                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_mask_LightPlace(_e674.z, _e719.unnamed_1.shift));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_mask_LightPlace(_e725.unnamed_1.word, _e674.w));
                         }
                         let _e733 = phi_1292_;
                         let _e743 = nodes.member[(0u + _e538)].z;
                         if (_e343 < 0f) {
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e754.unnamed.root, _e743.w), _e754.unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e743.x, _e760.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e766.unnamed_1.root, _e743.y));
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e754.unnamed.word, _e743.w), _e754.unnamed_1);
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e743.x, _e760.unnamed_1.shift));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_mask_LightPlace(_e766.unnamed_1.word, _e743.y));
                         } else {
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e782.unnamed.root, _e743.y), _e782.unnamed_1);
-                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_bvh_traverse_Tree(_e743.z, _e788.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_bvh_traverse_Tree(_e794.unnamed_1.root, _e743.w));
+                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e782.unnamed.word, _e743.y), _e782.unnamed_1);
+                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_mask_LightPlace(_e743.z, _e788.unnamed_1.shift));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_mask_LightPlace(_e794.unnamed_1.word, _e743.w));
                         }
                         let _e802 = phi_1319_;
                         phi_1325_ = 0u;
@@ -1284,41 +1284,41 @@ fn function_() {
                                 let _e817 = (_e812 >> bitcast<u32>(2i));
                                 let _e818 = (_e812 & 3u);
                                 if (_e817 == 0u) {
-                                    phi_1342_ = _e664.unnamed.root;
+                                    phi_1342_ = _e664.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e664.unnamed.first_primitive;
+                                    phi_1342_ = _e664.unnamed.shift;
                                 }
                                 let _e821 = phi_1342_;
                                 if (_e817 == 0u) {
-                                    phi_1352_ = _e733.unnamed.root;
+                                    phi_1352_ = _e733.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e733.unnamed.first_primitive;
+                                    phi_1352_ = _e733.unnamed.shift;
                                 }
                                 let _e830 = phi_1352_;
                                 if (_e817 == 0u) {
-                                    phi_1362_ = _e802.unnamed.root;
+                                    phi_1362_ = _e802.unnamed.word;
                                 } else {
-                                    phi_1362_ = _e802.unnamed.first_primitive;
+                                    phi_1362_ = _e802.unnamed.shift;
                                 }
                                 let _e839 = phi_1362_;
                                 let _e852 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e821 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 - _e380)), ((f32(((_e830 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 - _e381)));
                                 let _e853 = core_intrinsics_maximum_number_nsz_f32_(_e852, ((f32(((_e839 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 - _e382)));
                                 if (_e817 == 0u) {
-                                    phi_1380_ = _e664.unnamed_1.root;
+                                    phi_1380_ = _e664.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e664.unnamed_1.first_primitive;
+                                    phi_1380_ = _e664.unnamed_1.shift;
                                 }
                                 let _e856 = phi_1380_;
                                 if (_e817 == 0u) {
-                                    phi_1390_ = _e733.unnamed_1.root;
+                                    phi_1390_ = _e733.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e733.unnamed_1.first_primitive;
+                                    phi_1390_ = _e733.unnamed_1.shift;
                                 }
                                 let _e865 = phi_1390_;
                                 if (_e817 == 0u) {
-                                    phi_1400_ = _e802.unnamed_1.root;
+                                    phi_1400_ = _e802.unnamed_1.word;
                                 } else {
-                                    phi_1400_ = _e802.unnamed_1.first_primitive;
+                                    phi_1400_ = _e802.unnamed_1.shift;
                                 }
                                 let _e874 = phi_1400_;
                                 let _e887 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 + _e380)), ((f32(((_e865 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 + _e381)));
@@ -1810,41 +1810,41 @@ fn function_() {
                                                             let _e1581 = ((bitcast<f32>(_e1574) - _e1101) * _e1310);
                                                             let _e1589 = nodes.member[(0u + _e1528)].x;
                                                             if (_e1290 < 0f) {
-                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1600.unnamed.root, _e1589.w), _e1600.unnamed_1);
-                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_bvh_traverse_Tree(_e1589.x, _e1606.unnamed_1.first_primitive));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1612.unnamed_1.root, _e1589.y));
+                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1600.unnamed.word, _e1589.w), _e1600.unnamed_1);
+                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_mask_LightPlace(_e1589.x, _e1606.unnamed_1.shift));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_mask_LightPlace(_e1612.unnamed_1.word, _e1589.y));
                                                             } else {
-                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1628.unnamed.root, _e1589.y), _e1628.unnamed_1);
-                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_bvh_traverse_Tree(_e1589.z, _e1634.unnamed_1.first_primitive));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_bvh_traverse_Tree(_e1640.unnamed_1.root, _e1589.w));
+                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1628.unnamed.word, _e1589.y), _e1628.unnamed_1);
+                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_mask_LightPlace(_e1589.z, _e1634.unnamed_1.shift));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_mask_LightPlace(_e1640.unnamed_1.word, _e1589.w));
                                                             }
                                                             let _e1648 = phi_2224_;
                                                             let _e1658 = nodes.member[(0u + _e1528)].y;
                                                             if (_e1300 < 0f) {
-                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1669.unnamed.root, _e1658.w), _e1669.unnamed_1);
-                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_bvh_traverse_Tree(_e1658.x, _e1675.unnamed_1.first_primitive));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1681.unnamed_1.root, _e1658.y));
+                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1669.unnamed.word, _e1658.w), _e1669.unnamed_1);
+                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_mask_LightPlace(_e1658.x, _e1675.unnamed_1.shift));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_mask_LightPlace(_e1681.unnamed_1.word, _e1658.y));
                                                             } else {
-                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1697.unnamed.root, _e1658.y), _e1697.unnamed_1);
-                                                                let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_bvh_traverse_Tree(_e1658.z, _e1703.unnamed_1.first_primitive));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_bvh_traverse_Tree(_e1709.unnamed_1.root, _e1658.w));
+                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1697.unnamed.word, _e1658.y), _e1697.unnamed_1);
+                                                                let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_mask_LightPlace(_e1658.z, _e1703.unnamed_1.shift));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_mask_LightPlace(_e1709.unnamed_1.word, _e1658.w));
                                                             }
                                                             let _e1717 = phi_2251_;
                                                             let _e1727 = nodes.member[(0u + _e1528)].z;
                                                             if (_e1310 < 0f) {
-                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1727.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1738.unnamed.root, _e1727.w), _e1738.unnamed_1);
-                                                                let _e1750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_bvh_traverse_Tree(_e1727.x, _e1744.unnamed_1.first_primitive));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1750.unnamed, lt_bvh_traverse_Tree(_e1750.unnamed_1.root, _e1727.y));
+                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1727.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1738.unnamed.word, _e1727.w), _e1738.unnamed_1);
+                                                                let _e1750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_mask_LightPlace(_e1727.x, _e1744.unnamed_1.shift));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1750.unnamed, lt_mask_LightPlace(_e1750.unnamed_1.word, _e1727.y));
                                                             } else {
-                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1727.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1766.unnamed.root, _e1727.y), _e1766.unnamed_1);
-                                                                let _e1778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1772.unnamed, lt_bvh_traverse_Tree(_e1727.z, _e1772.unnamed_1.first_primitive));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1778.unnamed, lt_bvh_traverse_Tree(_e1778.unnamed_1.root, _e1727.w));
+                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1727.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1766.unnamed.word, _e1727.y), _e1766.unnamed_1);
+                                                                let _e1778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1772.unnamed, lt_mask_LightPlace(_e1727.z, _e1772.unnamed_1.shift));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1778.unnamed, lt_mask_LightPlace(_e1778.unnamed_1.word, _e1727.w));
                                                             }
                                                             let _e1786 = phi_2278_;
                                                             phi_2284_ = 0u;
@@ -1860,41 +1860,41 @@ fn function_() {
                                                                     let _e1801 = (_e1796 >> bitcast<u32>(2i));
                                                                     let _e1802 = (_e1796 & 3u);
                                                                     if (_e1801 == 0u) {
-                                                                        phi_2301_ = _e1648.unnamed.root;
+                                                                        phi_2301_ = _e1648.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1648.unnamed.first_primitive;
+                                                                        phi_2301_ = _e1648.unnamed.shift;
                                                                     }
                                                                     let _e1805 = phi_2301_;
                                                                     if (_e1801 == 0u) {
-                                                                        phi_2311_ = _e1717.unnamed.root;
+                                                                        phi_2311_ = _e1717.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1717.unnamed.first_primitive;
+                                                                        phi_2311_ = _e1717.unnamed.shift;
                                                                     }
                                                                     let _e1814 = phi_2311_;
                                                                     if (_e1801 == 0u) {
-                                                                        phi_2321_ = _e1786.unnamed.root;
+                                                                        phi_2321_ = _e1786.unnamed.word;
                                                                     } else {
-                                                                        phi_2321_ = _e1786.unnamed.first_primitive;
+                                                                        phi_2321_ = _e1786.unnamed.shift;
                                                                     }
                                                                     let _e1823 = phi_2321_;
                                                                     let _e1836 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1805 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 - _e1338)), ((f32(((_e1814 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 - _e1339)));
                                                                     let _e1837 = core_intrinsics_maximum_number_nsz_f32_(_e1836, ((f32(((_e1823 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 - _e1340)));
                                                                     if (_e1801 == 0u) {
-                                                                        phi_2339_ = _e1648.unnamed_1.root;
+                                                                        phi_2339_ = _e1648.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1648.unnamed_1.first_primitive;
+                                                                        phi_2339_ = _e1648.unnamed_1.shift;
                                                                     }
                                                                     let _e1840 = phi_2339_;
                                                                     if (_e1801 == 0u) {
-                                                                        phi_2349_ = _e1717.unnamed_1.root;
+                                                                        phi_2349_ = _e1717.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1717.unnamed_1.first_primitive;
+                                                                        phi_2349_ = _e1717.unnamed_1.shift;
                                                                     }
                                                                     let _e1849 = phi_2349_;
                                                                     if (_e1801 == 0u) {
-                                                                        phi_2359_ = _e1786.unnamed_1.root;
+                                                                        phi_2359_ = _e1786.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2359_ = _e1786.unnamed_1.first_primitive;
+                                                                        phi_2359_ = _e1786.unnamed_1.shift;
                                                                     }
                                                                     let _e1858 = phi_2359_;
                                                                     let _e1871 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1840 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 + _e1338)), ((f32(((_e1849 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 + _e1339)));
@@ -3120,11 +3120,11 @@ fn function_() {
             phi_4173_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3472 = phi_4173_;
-        if (_e108.first_primitive < arrayLength((&samples.member))) {
+        if (_e108.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e108.first_primitive)] = _e3472;
+        samples.member[(0u + _e108.shift)] = _e3472;
         if (_e2832.triangle != 4294967295u) {
             let _e3481 = ((1f - _e2832.u) - _e2832.v);
             if (_e2832.triangle < _e81) {
@@ -3174,11 +3174,11 @@ fn function_() {
             phi_4396_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e3661 = phi_4396_;
-        if (_e108.first_primitive < arrayLength((&past.member))) {
+        if (_e108.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3661.x, _e3661.y, _e3661.z, 1f);
+        past.member[(0u + _e108.shift)] = vec4<f32>(_e3661.x, _e3661.y, _e3661.z, 1f);
     }
     return;
 }

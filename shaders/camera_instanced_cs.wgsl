@@ -24,9 +24,9 @@ struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -91,8 +91,8 @@ struct type_38 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -152,19 +152,19 @@ var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
 var<storage> instances: type_51;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_197_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_197_: lt_mask_LightPlace;
     var phi_198_: bool;
-    var phi_199_: lt_bvh_traverse_Tree;
+    var phi_199_: lt_mask_LightPlace;
     var phi_200_: bool;
-    var phi_205_: lt_bvh_traverse_Tree;
+    var phi_205_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_197_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_197_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_198_ = false;
         } else {
-            phi_197_ = lt_bvh_traverse_Tree();
+            phi_197_ = lt_mask_LightPlace();
             phi_198_ = true;
         }
         let _e74 = phi_197_;
@@ -172,18 +172,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_199_ = _e74;
         phi_200_ = _e76;
     } else {
-        phi_199_ = lt_bvh_traverse_Tree();
+        phi_199_ = lt_mask_LightPlace();
         phi_200_ = true;
     }
     let _e78 = phi_199_;
     let _e80 = phi_200_;
     if _e80 {
-        phi_205_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_205_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_205_ = _e78;
     }
     let _e85 = phi_205_;
-    return lt_bvh_traverse_Tree(_e85.root, _e85.first_primitive);
+    return lt_mask_LightPlace(_e85.word, _e85.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -552,7 +552,7 @@ fn function_() {
     let _e85 = p.member.size[0u];
     let _e87 = p.member.size[1u];
     let _e88 = lt_shaders_entry_pixel_index(_e63, _e85, _e87);
-    if (bitcast<i32>(_e88.root) != 0i) {
+    if (bitcast<i32>(_e88.word) != 0i) {
         let _e94 = p.member.root;
         let _e98 = p.member.eye;
         let _e103 = p.member.size[0u];
@@ -846,41 +846,41 @@ fn function_() {
                         let _e577 = ((bitcast<f32>(_e567) - _e145.origin.z) * _e323);
                         let _e585 = nodes.member[(0u + _e518)].x;
                         if (_e299 < 0f) {
-                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e585.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e596.unnamed.root, _e585.w), _e596.unnamed_1);
-                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_bvh_traverse_Tree(_e585.x, _e602.unnamed_1.first_primitive));
-                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e608.unnamed, lt_bvh_traverse_Tree(_e608.unnamed_1.root, _e585.y));
+                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e585.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e596.unnamed.word, _e585.w), _e596.unnamed_1);
+                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_mask_LightPlace(_e585.x, _e602.unnamed_1.shift));
+                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e608.unnamed, lt_mask_LightPlace(_e608.unnamed_1.word, _e585.y));
                         } else {
-                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e585.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.unnamed.root, _e585.y), _e624.unnamed_1);
-                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_bvh_traverse_Tree(_e585.z, _e630.unnamed_1.first_primitive));
-                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e636.unnamed, lt_bvh_traverse_Tree(_e636.unnamed_1.root, _e585.w));
+                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e585.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e624.unnamed.word, _e585.y), _e624.unnamed_1);
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_mask_LightPlace(_e585.z, _e630.unnamed_1.shift));
+                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e636.unnamed, lt_mask_LightPlace(_e636.unnamed_1.word, _e585.w));
                         }
                         let _e644 = phi_846_;
                         let _e654 = nodes.member[(0u + _e518)].y;
                         if (_e311 < 0f) {
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e665.unnamed.root, _e654.w), _e665.unnamed_1);
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e654.x, _e671.unnamed_1.first_primitive));
-                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_bvh_traverse_Tree(_e677.unnamed_1.root, _e654.y));
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e665.unnamed.word, _e654.w), _e665.unnamed_1);
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_mask_LightPlace(_e654.x, _e671.unnamed_1.shift));
+                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_mask_LightPlace(_e677.unnamed_1.word, _e654.y));
                         } else {
-                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.unnamed.root, _e654.y), _e693.unnamed_1);
-                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_bvh_traverse_Tree(_e654.z, _e699.unnamed_1.first_primitive));
-                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_bvh_traverse_Tree(_e705.unnamed_1.root, _e654.w));
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e693.unnamed.word, _e654.y), _e693.unnamed_1);
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_mask_LightPlace(_e654.z, _e699.unnamed_1.shift));
+                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_mask_LightPlace(_e705.unnamed_1.word, _e654.w));
                         }
                         let _e713 = phi_873_;
                         let _e723 = nodes.member[(0u + _e518)].z;
                         if (_e323 < 0f) {
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e734.unnamed.root, _e723.w), _e734.unnamed_1);
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e723.x, _e740.unnamed_1.first_primitive));
-                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_bvh_traverse_Tree(_e746.unnamed_1.root, _e723.y));
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e734.unnamed.word, _e723.w), _e734.unnamed_1);
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_mask_LightPlace(_e723.x, _e740.unnamed_1.shift));
+                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_mask_LightPlace(_e746.unnamed_1.word, _e723.y));
                         } else {
-                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e762.unnamed.root, _e723.y), _e762.unnamed_1);
-                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_bvh_traverse_Tree(_e723.z, _e768.unnamed_1.first_primitive));
-                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_bvh_traverse_Tree(_e774.unnamed_1.root, _e723.w));
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e762.unnamed.word, _e723.y), _e762.unnamed_1);
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_mask_LightPlace(_e723.z, _e768.unnamed_1.shift));
+                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_mask_LightPlace(_e774.unnamed_1.word, _e723.w));
                         }
                         let _e782 = phi_900_;
                         phi_906_ = 0u;
@@ -896,41 +896,41 @@ fn function_() {
                                 let _e797 = (_e792 >> bitcast<u32>(2i));
                                 let _e798 = (_e792 & 3u);
                                 if (_e797 == 0u) {
-                                    phi_923_ = _e644.unnamed.root;
+                                    phi_923_ = _e644.unnamed.word;
                                 } else {
-                                    phi_923_ = _e644.unnamed.first_primitive;
+                                    phi_923_ = _e644.unnamed.shift;
                                 }
                                 let _e801 = phi_923_;
                                 if (_e797 == 0u) {
-                                    phi_933_ = _e713.unnamed.root;
+                                    phi_933_ = _e713.unnamed.word;
                                 } else {
-                                    phi_933_ = _e713.unnamed.first_primitive;
+                                    phi_933_ = _e713.unnamed.shift;
                                 }
                                 let _e810 = phi_933_;
                                 if (_e797 == 0u) {
-                                    phi_943_ = _e782.unnamed.root;
+                                    phi_943_ = _e782.unnamed.word;
                                 } else {
-                                    phi_943_ = _e782.unnamed.first_primitive;
+                                    phi_943_ = _e782.unnamed.shift;
                                 }
                                 let _e819 = phi_943_;
                                 let _e832 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e801 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e554) + (_e575 - _e360)), ((f32(((_e810 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e555) + (_e576 - _e361)));
                                 let _e833 = core_intrinsics_maximum_number_nsz_f32_(_e832, ((f32(((_e819 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e556) + (_e577 - _e362)));
                                 if (_e797 == 0u) {
-                                    phi_961_ = _e644.unnamed_1.root;
+                                    phi_961_ = _e644.unnamed_1.word;
                                 } else {
-                                    phi_961_ = _e644.unnamed_1.first_primitive;
+                                    phi_961_ = _e644.unnamed_1.shift;
                                 }
                                 let _e836 = phi_961_;
                                 if (_e797 == 0u) {
-                                    phi_971_ = _e713.unnamed_1.root;
+                                    phi_971_ = _e713.unnamed_1.word;
                                 } else {
-                                    phi_971_ = _e713.unnamed_1.first_primitive;
+                                    phi_971_ = _e713.unnamed_1.shift;
                                 }
                                 let _e845 = phi_971_;
                                 if (_e797 == 0u) {
-                                    phi_981_ = _e782.unnamed_1.root;
+                                    phi_981_ = _e782.unnamed_1.word;
                                 } else {
-                                    phi_981_ = _e782.unnamed_1.first_primitive;
+                                    phi_981_ = _e782.unnamed_1.shift;
                                 }
                                 let _e854 = phi_981_;
                                 let _e867 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e836 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e554) + (_e575 + _e360)), ((f32(((_e845 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e555) + (_e576 + _e361)));
@@ -1422,41 +1422,41 @@ fn function_() {
                                                             let _e1561 = ((bitcast<f32>(_e1554) - _e1081) * _e1290);
                                                             let _e1569 = nodes.member[(0u + _e1508)].x;
                                                             if (_e1270 < 0f) {
-                                                                let _e1580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1569.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1580.unnamed.root, _e1569.w), _e1580.unnamed_1);
-                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1586.unnamed, lt_bvh_traverse_Tree(_e1569.x, _e1586.unnamed_1.first_primitive));
-                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1592.unnamed, lt_bvh_traverse_Tree(_e1592.unnamed_1.root, _e1569.y));
+                                                                let _e1580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1569.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1580.unnamed.word, _e1569.w), _e1580.unnamed_1);
+                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1586.unnamed, lt_mask_LightPlace(_e1569.x, _e1586.unnamed_1.shift));
+                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1592.unnamed, lt_mask_LightPlace(_e1592.unnamed_1.word, _e1569.y));
                                                             } else {
-                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1569.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1608.unnamed.root, _e1569.y), _e1608.unnamed_1);
-                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_bvh_traverse_Tree(_e1569.z, _e1614.unnamed_1.first_primitive));
-                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1620.unnamed, lt_bvh_traverse_Tree(_e1620.unnamed_1.root, _e1569.w));
+                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1569.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1608.unnamed.word, _e1569.y), _e1608.unnamed_1);
+                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_mask_LightPlace(_e1569.z, _e1614.unnamed_1.shift));
+                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1620.unnamed, lt_mask_LightPlace(_e1620.unnamed_1.word, _e1569.w));
                                                             }
                                                             let _e1628 = phi_1805_;
                                                             let _e1638 = nodes.member[(0u + _e1508)].y;
                                                             if (_e1280 < 0f) {
-                                                                let _e1649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1649.unnamed.root, _e1638.w), _e1649.unnamed_1);
-                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1655.unnamed, lt_bvh_traverse_Tree(_e1638.x, _e1655.unnamed_1.first_primitive));
-                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1661.unnamed, lt_bvh_traverse_Tree(_e1661.unnamed_1.root, _e1638.y));
+                                                                let _e1649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1649.unnamed.word, _e1638.w), _e1649.unnamed_1);
+                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1655.unnamed, lt_mask_LightPlace(_e1638.x, _e1655.unnamed_1.shift));
+                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1661.unnamed, lt_mask_LightPlace(_e1661.unnamed_1.word, _e1638.y));
                                                             } else {
-                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1677.unnamed.root, _e1638.y), _e1677.unnamed_1);
-                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_bvh_traverse_Tree(_e1638.z, _e1683.unnamed_1.first_primitive));
-                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1689.unnamed, lt_bvh_traverse_Tree(_e1689.unnamed_1.root, _e1638.w));
+                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1677.unnamed.word, _e1638.y), _e1677.unnamed_1);
+                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_mask_LightPlace(_e1638.z, _e1683.unnamed_1.shift));
+                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1689.unnamed, lt_mask_LightPlace(_e1689.unnamed_1.word, _e1638.w));
                                                             }
                                                             let _e1697 = phi_1832_;
                                                             let _e1707 = nodes.member[(0u + _e1508)].z;
                                                             if (_e1290 < 0f) {
-                                                                let _e1718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1718.unnamed.root, _e1707.w), _e1718.unnamed_1);
-                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1724.unnamed, lt_bvh_traverse_Tree(_e1707.x, _e1724.unnamed_1.first_primitive));
-                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1730.unnamed, lt_bvh_traverse_Tree(_e1730.unnamed_1.root, _e1707.y));
+                                                                let _e1718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1718.unnamed.word, _e1707.w), _e1718.unnamed_1);
+                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1724.unnamed, lt_mask_LightPlace(_e1707.x, _e1724.unnamed_1.shift));
+                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1730.unnamed, lt_mask_LightPlace(_e1730.unnamed_1.word, _e1707.y));
                                                             } else {
-                                                                let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1746.unnamed.root, _e1707.y), _e1746.unnamed_1);
-                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_bvh_traverse_Tree(_e1707.z, _e1752.unnamed_1.first_primitive));
-                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1758.unnamed, lt_bvh_traverse_Tree(_e1758.unnamed_1.root, _e1707.w));
+                                                                let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1746.unnamed.word, _e1707.y), _e1746.unnamed_1);
+                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_mask_LightPlace(_e1707.z, _e1752.unnamed_1.shift));
+                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1758.unnamed, lt_mask_LightPlace(_e1758.unnamed_1.word, _e1707.w));
                                                             }
                                                             let _e1766 = phi_1859_;
                                                             phi_1865_ = 0u;
@@ -1472,41 +1472,41 @@ fn function_() {
                                                                     let _e1781 = (_e1776 >> bitcast<u32>(2i));
                                                                     let _e1782 = (_e1776 & 3u);
                                                                     if (_e1781 == 0u) {
-                                                                        phi_1882_ = _e1628.unnamed.root;
+                                                                        phi_1882_ = _e1628.unnamed.word;
                                                                     } else {
-                                                                        phi_1882_ = _e1628.unnamed.first_primitive;
+                                                                        phi_1882_ = _e1628.unnamed.shift;
                                                                     }
                                                                     let _e1785 = phi_1882_;
                                                                     if (_e1781 == 0u) {
-                                                                        phi_1892_ = _e1697.unnamed.root;
+                                                                        phi_1892_ = _e1697.unnamed.word;
                                                                     } else {
-                                                                        phi_1892_ = _e1697.unnamed.first_primitive;
+                                                                        phi_1892_ = _e1697.unnamed.shift;
                                                                     }
                                                                     let _e1794 = phi_1892_;
                                                                     if (_e1781 == 0u) {
-                                                                        phi_1902_ = _e1766.unnamed.root;
+                                                                        phi_1902_ = _e1766.unnamed.word;
                                                                     } else {
-                                                                        phi_1902_ = _e1766.unnamed.first_primitive;
+                                                                        phi_1902_ = _e1766.unnamed.shift;
                                                                     }
                                                                     let _e1803 = phi_1902_;
                                                                     let _e1816 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1785 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 - _e1318)), ((f32(((_e1794 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 - _e1319)));
                                                                     let _e1817 = core_intrinsics_maximum_number_nsz_f32_(_e1816, ((f32(((_e1803 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1543) + (_e1561 - _e1320)));
                                                                     if (_e1781 == 0u) {
-                                                                        phi_1920_ = _e1628.unnamed_1.root;
+                                                                        phi_1920_ = _e1628.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1920_ = _e1628.unnamed_1.first_primitive;
+                                                                        phi_1920_ = _e1628.unnamed_1.shift;
                                                                     }
                                                                     let _e1820 = phi_1920_;
                                                                     if (_e1781 == 0u) {
-                                                                        phi_1930_ = _e1697.unnamed_1.root;
+                                                                        phi_1930_ = _e1697.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1930_ = _e1697.unnamed_1.first_primitive;
+                                                                        phi_1930_ = _e1697.unnamed_1.shift;
                                                                     }
                                                                     let _e1829 = phi_1930_;
                                                                     if (_e1781 == 0u) {
-                                                                        phi_1940_ = _e1766.unnamed_1.root;
+                                                                        phi_1940_ = _e1766.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1940_ = _e1766.unnamed_1.first_primitive;
+                                                                        phi_1940_ = _e1766.unnamed_1.shift;
                                                                     }
                                                                     let _e1838 = phi_1940_;
                                                                     let _e1851 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1820 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 + _e1318)), ((f32(((_e1829 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 + _e1319)));
@@ -2655,11 +2655,11 @@ fn function_() {
             phi_3557_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3266 = phi_3557_;
-        if (_e88.first_primitive < arrayLength((&samples.member))) {
+        if (_e88.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e88.first_primitive)] = _e3266;
+        samples.member[(0u + _e88.shift)] = _e3266;
     }
     return;
 }

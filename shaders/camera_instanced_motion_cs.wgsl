@@ -24,9 +24,9 @@ struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_22 {
@@ -95,8 +95,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -160,19 +160,19 @@ var<storage> before: type_22;
 @group(0) @binding(8) 
 var<storage, read_write> past: type_22;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_203_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_203_: lt_mask_LightPlace;
     var phi_204_: bool;
-    var phi_205_: lt_bvh_traverse_Tree;
+    var phi_205_: lt_mask_LightPlace;
     var phi_206_: bool;
-    var phi_211_: lt_bvh_traverse_Tree;
+    var phi_211_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_203_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_203_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_204_ = false;
         } else {
-            phi_203_ = lt_bvh_traverse_Tree();
+            phi_203_ = lt_mask_LightPlace();
             phi_204_ = true;
         }
         let _e76 = phi_203_;
@@ -180,18 +180,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_205_ = _e76;
         phi_206_ = _e78;
     } else {
-        phi_205_ = lt_bvh_traverse_Tree();
+        phi_205_ = lt_mask_LightPlace();
         phi_206_ = true;
     }
     let _e80 = phi_205_;
     let _e82 = phi_206_;
     if _e82 {
-        phi_211_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_211_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_211_ = _e80;
     }
     let _e87 = phi_211_;
-    return lt_bvh_traverse_Tree(_e87.root, _e87.first_primitive);
+    return lt_mask_LightPlace(_e87.word, _e87.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -562,7 +562,7 @@ fn function_() {
     let _e93 = p.member.size[0u];
     let _e95 = p.member.size[1u];
     let _e96 = lt_shaders_entry_pixel_index(_e65, _e93, _e95);
-    if (bitcast<i32>(_e96.root) != 0i) {
+    if (bitcast<i32>(_e96.word) != 0i) {
         let _e102 = p.member.root;
         let _e106 = p.member.eye;
         let _e111 = p.member.size[0u];
@@ -856,41 +856,41 @@ fn function_() {
                         let _e585 = ((bitcast<f32>(_e575) - _e153.origin.z) * _e331);
                         let _e593 = nodes.member[(0u + _e526)].x;
                         if (_e307 < 0f) {
-                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e604.unnamed.root, _e593.w), _e604.unnamed_1);
-                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_bvh_traverse_Tree(_e593.x, _e610.unnamed_1.first_primitive));
-                            phi_856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e616.unnamed, lt_bvh_traverse_Tree(_e616.unnamed_1.root, _e593.y));
+                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e593.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e604.unnamed.word, _e593.w), _e604.unnamed_1);
+                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_mask_LightPlace(_e593.x, _e610.unnamed_1.shift));
+                            phi_856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e616.unnamed, lt_mask_LightPlace(_e616.unnamed_1.word, _e593.y));
                         } else {
-                            let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e632.unnamed.root, _e593.y), _e632.unnamed_1);
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e638.unnamed, lt_bvh_traverse_Tree(_e593.z, _e638.unnamed_1.first_primitive));
-                            phi_856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e644.unnamed_1.root, _e593.w));
+                            let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e593.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e632.unnamed.word, _e593.y), _e632.unnamed_1);
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e638.unnamed, lt_mask_LightPlace(_e593.z, _e638.unnamed_1.shift));
+                            phi_856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_mask_LightPlace(_e644.unnamed_1.word, _e593.w));
                         }
                         let _e652 = phi_856_;
                         let _e662 = nodes.member[(0u + _e526)].y;
                         if (_e319 < 0f) {
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e673.unnamed.root, _e662.w), _e673.unnamed_1);
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_bvh_traverse_Tree(_e662.x, _e679.unnamed_1.first_primitive));
-                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_bvh_traverse_Tree(_e685.unnamed_1.root, _e662.y));
+                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e673.unnamed.word, _e662.w), _e673.unnamed_1);
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_mask_LightPlace(_e662.x, _e679.unnamed_1.shift));
+                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_mask_LightPlace(_e685.unnamed_1.word, _e662.y));
                         } else {
-                            let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.unnamed.root, _e662.y), _e701.unnamed_1);
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_bvh_traverse_Tree(_e662.z, _e707.unnamed_1.first_primitive));
-                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e713.unnamed_1.root, _e662.w));
+                            let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e701.unnamed.word, _e662.y), _e701.unnamed_1);
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_mask_LightPlace(_e662.z, _e707.unnamed_1.shift));
+                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_mask_LightPlace(_e713.unnamed_1.word, _e662.w));
                         }
                         let _e721 = phi_883_;
                         let _e731 = nodes.member[(0u + _e526)].z;
                         if (_e331 < 0f) {
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e742.unnamed.root, _e731.w), _e742.unnamed_1);
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_bvh_traverse_Tree(_e731.x, _e748.unnamed_1.first_primitive));
-                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_bvh_traverse_Tree(_e754.unnamed_1.root, _e731.y));
+                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e742.unnamed.word, _e731.w), _e742.unnamed_1);
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_mask_LightPlace(_e731.x, _e748.unnamed_1.shift));
+                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_mask_LightPlace(_e754.unnamed_1.word, _e731.y));
                         } else {
-                            let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.unnamed.root, _e731.y), _e770.unnamed_1);
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_bvh_traverse_Tree(_e731.z, _e776.unnamed_1.first_primitive));
-                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_bvh_traverse_Tree(_e782.unnamed_1.root, _e731.w));
+                            let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e770.unnamed.word, _e731.y), _e770.unnamed_1);
+                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_mask_LightPlace(_e731.z, _e776.unnamed_1.shift));
+                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_mask_LightPlace(_e782.unnamed_1.word, _e731.w));
                         }
                         let _e790 = phi_910_;
                         phi_916_ = 0u;
@@ -906,41 +906,41 @@ fn function_() {
                                 let _e805 = (_e800 >> bitcast<u32>(2i));
                                 let _e806 = (_e800 & 3u);
                                 if (_e805 == 0u) {
-                                    phi_933_ = _e652.unnamed.root;
+                                    phi_933_ = _e652.unnamed.word;
                                 } else {
-                                    phi_933_ = _e652.unnamed.first_primitive;
+                                    phi_933_ = _e652.unnamed.shift;
                                 }
                                 let _e809 = phi_933_;
                                 if (_e805 == 0u) {
-                                    phi_943_ = _e721.unnamed.root;
+                                    phi_943_ = _e721.unnamed.word;
                                 } else {
-                                    phi_943_ = _e721.unnamed.first_primitive;
+                                    phi_943_ = _e721.unnamed.shift;
                                 }
                                 let _e818 = phi_943_;
                                 if (_e805 == 0u) {
-                                    phi_953_ = _e790.unnamed.root;
+                                    phi_953_ = _e790.unnamed.word;
                                 } else {
-                                    phi_953_ = _e790.unnamed.first_primitive;
+                                    phi_953_ = _e790.unnamed.shift;
                                 }
                                 let _e827 = phi_953_;
                                 let _e840 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e809 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e562) + (_e583 - _e368)), ((f32(((_e818 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e563) + (_e584 - _e369)));
                                 let _e841 = core_intrinsics_maximum_number_nsz_f32_(_e840, ((f32(((_e827 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e564) + (_e585 - _e370)));
                                 if (_e805 == 0u) {
-                                    phi_971_ = _e652.unnamed_1.root;
+                                    phi_971_ = _e652.unnamed_1.word;
                                 } else {
-                                    phi_971_ = _e652.unnamed_1.first_primitive;
+                                    phi_971_ = _e652.unnamed_1.shift;
                                 }
                                 let _e844 = phi_971_;
                                 if (_e805 == 0u) {
-                                    phi_981_ = _e721.unnamed_1.root;
+                                    phi_981_ = _e721.unnamed_1.word;
                                 } else {
-                                    phi_981_ = _e721.unnamed_1.first_primitive;
+                                    phi_981_ = _e721.unnamed_1.shift;
                                 }
                                 let _e853 = phi_981_;
                                 if (_e805 == 0u) {
-                                    phi_991_ = _e790.unnamed_1.root;
+                                    phi_991_ = _e790.unnamed_1.word;
                                 } else {
-                                    phi_991_ = _e790.unnamed_1.first_primitive;
+                                    phi_991_ = _e790.unnamed_1.shift;
                                 }
                                 let _e862 = phi_991_;
                                 let _e875 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e844 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e562) + (_e583 + _e368)), ((f32(((_e853 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e563) + (_e584 + _e369)));
@@ -1432,41 +1432,41 @@ fn function_() {
                                                             let _e1569 = ((bitcast<f32>(_e1562) - _e1089) * _e1298);
                                                             let _e1577 = nodes.member[(0u + _e1516)].x;
                                                             if (_e1278 < 0f) {
-                                                                let _e1588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1577.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1588.unnamed.root, _e1577.w), _e1588.unnamed_1);
-                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1594.unnamed, lt_bvh_traverse_Tree(_e1577.x, _e1594.unnamed_1.first_primitive));
-                                                                phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1600.unnamed, lt_bvh_traverse_Tree(_e1600.unnamed_1.root, _e1577.y));
+                                                                let _e1588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1577.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1588.unnamed.word, _e1577.w), _e1588.unnamed_1);
+                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1594.unnamed, lt_mask_LightPlace(_e1577.x, _e1594.unnamed_1.shift));
+                                                                phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1600.unnamed, lt_mask_LightPlace(_e1600.unnamed_1.word, _e1577.y));
                                                             } else {
-                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1577.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1616.unnamed.root, _e1577.y), _e1616.unnamed_1);
-                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1622.unnamed, lt_bvh_traverse_Tree(_e1577.z, _e1622.unnamed_1.first_primitive));
-                                                                phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1628.unnamed, lt_bvh_traverse_Tree(_e1628.unnamed_1.root, _e1577.w));
+                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1577.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1616.unnamed.word, _e1577.y), _e1616.unnamed_1);
+                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1622.unnamed, lt_mask_LightPlace(_e1577.z, _e1622.unnamed_1.shift));
+                                                                phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1628.unnamed, lt_mask_LightPlace(_e1628.unnamed_1.word, _e1577.w));
                                                             }
                                                             let _e1636 = phi_1815_;
                                                             let _e1646 = nodes.member[(0u + _e1516)].y;
                                                             if (_e1288 < 0f) {
-                                                                let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1657.unnamed.root, _e1646.w), _e1657.unnamed_1);
-                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1663.unnamed, lt_bvh_traverse_Tree(_e1646.x, _e1663.unnamed_1.first_primitive));
-                                                                phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1669.unnamed, lt_bvh_traverse_Tree(_e1669.unnamed_1.root, _e1646.y));
+                                                                let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1657.unnamed.word, _e1646.w), _e1657.unnamed_1);
+                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1663.unnamed, lt_mask_LightPlace(_e1646.x, _e1663.unnamed_1.shift));
+                                                                phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1669.unnamed, lt_mask_LightPlace(_e1669.unnamed_1.word, _e1646.y));
                                                             } else {
-                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1685.unnamed.root, _e1646.y), _e1685.unnamed_1);
-                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1691.unnamed, lt_bvh_traverse_Tree(_e1646.z, _e1691.unnamed_1.first_primitive));
-                                                                phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1697.unnamed, lt_bvh_traverse_Tree(_e1697.unnamed_1.root, _e1646.w));
+                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1685.unnamed.word, _e1646.y), _e1685.unnamed_1);
+                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1691.unnamed, lt_mask_LightPlace(_e1646.z, _e1691.unnamed_1.shift));
+                                                                phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1697.unnamed, lt_mask_LightPlace(_e1697.unnamed_1.word, _e1646.w));
                                                             }
                                                             let _e1705 = phi_1842_;
                                                             let _e1715 = nodes.member[(0u + _e1516)].z;
                                                             if (_e1298 < 0f) {
-                                                                let _e1726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1726.unnamed.root, _e1715.w), _e1726.unnamed_1);
-                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1732.unnamed, lt_bvh_traverse_Tree(_e1715.x, _e1732.unnamed_1.first_primitive));
-                                                                phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1738.unnamed, lt_bvh_traverse_Tree(_e1738.unnamed_1.root, _e1715.y));
+                                                                let _e1726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1726.unnamed.word, _e1715.w), _e1726.unnamed_1);
+                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1732.unnamed, lt_mask_LightPlace(_e1715.x, _e1732.unnamed_1.shift));
+                                                                phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1738.unnamed, lt_mask_LightPlace(_e1738.unnamed_1.word, _e1715.y));
                                                             } else {
-                                                                let _e1754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1754.unnamed.root, _e1715.y), _e1754.unnamed_1);
-                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1760.unnamed, lt_bvh_traverse_Tree(_e1715.z, _e1760.unnamed_1.first_primitive));
-                                                                phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1766.unnamed, lt_bvh_traverse_Tree(_e1766.unnamed_1.root, _e1715.w));
+                                                                let _e1754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1754.unnamed.word, _e1715.y), _e1754.unnamed_1);
+                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1760.unnamed, lt_mask_LightPlace(_e1715.z, _e1760.unnamed_1.shift));
+                                                                phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1766.unnamed, lt_mask_LightPlace(_e1766.unnamed_1.word, _e1715.w));
                                                             }
                                                             let _e1774 = phi_1869_;
                                                             phi_1875_ = 0u;
@@ -1482,41 +1482,41 @@ fn function_() {
                                                                     let _e1789 = (_e1784 >> bitcast<u32>(2i));
                                                                     let _e1790 = (_e1784 & 3u);
                                                                     if (_e1789 == 0u) {
-                                                                        phi_1892_ = _e1636.unnamed.root;
+                                                                        phi_1892_ = _e1636.unnamed.word;
                                                                     } else {
-                                                                        phi_1892_ = _e1636.unnamed.first_primitive;
+                                                                        phi_1892_ = _e1636.unnamed.shift;
                                                                     }
                                                                     let _e1793 = phi_1892_;
                                                                     if (_e1789 == 0u) {
-                                                                        phi_1902_ = _e1705.unnamed.root;
+                                                                        phi_1902_ = _e1705.unnamed.word;
                                                                     } else {
-                                                                        phi_1902_ = _e1705.unnamed.first_primitive;
+                                                                        phi_1902_ = _e1705.unnamed.shift;
                                                                     }
                                                                     let _e1802 = phi_1902_;
                                                                     if (_e1789 == 0u) {
-                                                                        phi_1912_ = _e1774.unnamed.root;
+                                                                        phi_1912_ = _e1774.unnamed.word;
                                                                     } else {
-                                                                        phi_1912_ = _e1774.unnamed.first_primitive;
+                                                                        phi_1912_ = _e1774.unnamed.shift;
                                                                     }
                                                                     let _e1811 = phi_1912_;
                                                                     let _e1824 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1793 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 - _e1326)), ((f32(((_e1802 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 - _e1327)));
                                                                     let _e1825 = core_intrinsics_maximum_number_nsz_f32_(_e1824, ((f32(((_e1811 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1551) + (_e1569 - _e1328)));
                                                                     if (_e1789 == 0u) {
-                                                                        phi_1930_ = _e1636.unnamed_1.root;
+                                                                        phi_1930_ = _e1636.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1930_ = _e1636.unnamed_1.first_primitive;
+                                                                        phi_1930_ = _e1636.unnamed_1.shift;
                                                                     }
                                                                     let _e1828 = phi_1930_;
                                                                     if (_e1789 == 0u) {
-                                                                        phi_1940_ = _e1705.unnamed_1.root;
+                                                                        phi_1940_ = _e1705.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1940_ = _e1705.unnamed_1.first_primitive;
+                                                                        phi_1940_ = _e1705.unnamed_1.shift;
                                                                     }
                                                                     let _e1837 = phi_1940_;
                                                                     if (_e1789 == 0u) {
-                                                                        phi_1950_ = _e1774.unnamed_1.root;
+                                                                        phi_1950_ = _e1774.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1950_ = _e1774.unnamed_1.first_primitive;
+                                                                        phi_1950_ = _e1774.unnamed_1.shift;
                                                                     }
                                                                     let _e1846 = phi_1950_;
                                                                     let _e1859 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1828 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 + _e1326)), ((f32(((_e1837 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 + _e1327)));
@@ -2665,11 +2665,11 @@ fn function_() {
             phi_3567_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3274 = phi_3567_;
-        if (_e96.first_primitive < arrayLength((&samples.member))) {
+        if (_e96.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e96.first_primitive)] = _e3274;
+        samples.member[(0u + _e96.shift)] = _e3274;
         if (_e2634.triangle != 4294967295u) {
             let _e3283 = ((1f - _e2634.u) - _e2634.v);
             if (_e2634.triangle < _e72) {
@@ -2719,11 +2719,11 @@ fn function_() {
             phi_3790_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e3463 = phi_3790_;
-        if (_e96.first_primitive < arrayLength((&past.member))) {
+        if (_e96.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e96.first_primitive)] = vec4<f32>(_e3463.x, _e3463.y, _e3463.z, 1f);
+        past.member[(0u + _e96.shift)] = vec4<f32>(_e3463.x, _e3463.y, _e3463.z, 1f);
     }
     return;
 }

@@ -24,9 +24,9 @@ struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_22 {
@@ -95,8 +95,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -143,19 +143,19 @@ var<storage> before: type_22;
 @group(0) @binding(7) 
 var<storage, read_write> past: type_22;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_193_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_193_: lt_mask_LightPlace;
     var phi_194_: bool;
-    var phi_195_: lt_bvh_traverse_Tree;
+    var phi_195_: lt_mask_LightPlace;
     var phi_196_: bool;
-    var phi_201_: lt_bvh_traverse_Tree;
+    var phi_201_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_193_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_193_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_194_ = false;
         } else {
-            phi_193_ = lt_bvh_traverse_Tree();
+            phi_193_ = lt_mask_LightPlace();
             phi_194_ = true;
         }
         let _e75 = phi_193_;
@@ -163,18 +163,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_195_ = _e75;
         phi_196_ = _e77;
     } else {
-        phi_195_ = lt_bvh_traverse_Tree();
+        phi_195_ = lt_mask_LightPlace();
         phi_196_ = true;
     }
     let _e79 = phi_195_;
     let _e81 = phi_196_;
     if _e81 {
-        phi_201_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_201_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_201_ = _e79;
     }
     let _e86 = phi_201_;
-    return lt_bvh_traverse_Tree(_e86.root, _e86.first_primitive);
+    return lt_mask_LightPlace(_e86.word, _e86.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -465,7 +465,7 @@ fn function_() {
     let _e88 = p.member.size[0u];
     let _e90 = p.member.size[1u];
     let _e91 = lt_shaders_entry_pixel_index(_e63, _e88, _e90);
-    if (bitcast<i32>(_e91.root) != 0i) {
+    if (bitcast<i32>(_e91.word) != 0i) {
         let _e99 = p.member.eye;
         let _e104 = p.member.size[0u];
         let _e108 = ((((f32(_e63.x) + 0.5f) / f32(_e104)) * 2f) - 1f);
@@ -799,41 +799,41 @@ fn function_() {
                         let _e620 = ((bitcast<f32>(_e610) - _e146.origin.z) * _e324);
                         let _e628 = nodes.member[(0u + _e563)].x;
                         if (_e300 < 0f) {
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e639.unnamed.root, _e628.w), _e639.unnamed_1);
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_bvh_traverse_Tree(_e628.x, _e645.unnamed_1.first_primitive));
-                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_bvh_traverse_Tree(_e651.unnamed_1.root, _e628.y));
+                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e639.unnamed.word, _e628.w), _e639.unnamed_1);
+                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e628.x, _e645.unnamed_1.shift));
+                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_mask_LightPlace(_e651.unnamed_1.word, _e628.y));
                         } else {
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.unnamed.root, _e628.y), _e667.unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_bvh_traverse_Tree(_e628.z, _e673.unnamed_1.first_primitive));
-                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_bvh_traverse_Tree(_e679.unnamed_1.root, _e628.w));
+                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.unnamed.word, _e628.y), _e667.unnamed_1);
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_mask_LightPlace(_e628.z, _e673.unnamed_1.shift));
+                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_mask_LightPlace(_e679.unnamed_1.word, _e628.w));
                         }
                         let _e687 = phi_892_;
                         let _e697 = nodes.member[(0u + _e563)].y;
                         if (_e312 < 0f) {
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e708.unnamed.root, _e697.w), _e708.unnamed_1);
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e697.x, _e714.unnamed_1.first_primitive));
-                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_bvh_traverse_Tree(_e720.unnamed_1.root, _e697.y));
+                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e708.unnamed.word, _e697.w), _e708.unnamed_1);
+                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e697.x, _e714.unnamed_1.shift));
+                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_mask_LightPlace(_e720.unnamed_1.word, _e697.y));
                         } else {
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.unnamed.root, _e697.y), _e736.unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e697.z, _e742.unnamed_1.first_primitive));
-                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_bvh_traverse_Tree(_e748.unnamed_1.root, _e697.w));
+                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e736.unnamed.word, _e697.y), _e736.unnamed_1);
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_mask_LightPlace(_e697.z, _e742.unnamed_1.shift));
+                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_mask_LightPlace(_e748.unnamed_1.word, _e697.w));
                         }
                         let _e756 = phi_919_;
                         let _e766 = nodes.member[(0u + _e563)].z;
                         if (_e324 < 0f) {
-                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e766.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e777.unnamed.root, _e766.w), _e777.unnamed_1);
-                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_bvh_traverse_Tree(_e766.x, _e783.unnamed_1.first_primitive));
-                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e789.unnamed, lt_bvh_traverse_Tree(_e789.unnamed_1.root, _e766.y));
+                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e777.unnamed.word, _e766.w), _e777.unnamed_1);
+                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e766.x, _e783.unnamed_1.shift));
+                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e789.unnamed, lt_mask_LightPlace(_e789.unnamed_1.word, _e766.y));
                         } else {
-                            let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e766.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e805.unnamed.root, _e766.y), _e805.unnamed_1);
-                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_bvh_traverse_Tree(_e766.z, _e811.unnamed_1.first_primitive));
-                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e817.unnamed, lt_bvh_traverse_Tree(_e817.unnamed_1.root, _e766.w));
+                            let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e805.unnamed.word, _e766.y), _e805.unnamed_1);
+                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_mask_LightPlace(_e766.z, _e811.unnamed_1.shift));
+                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e817.unnamed, lt_mask_LightPlace(_e817.unnamed_1.word, _e766.w));
                         }
                         let _e825 = phi_946_;
                         phi_952_ = 0u;
@@ -849,41 +849,41 @@ fn function_() {
                                 let _e840 = (_e835 >> bitcast<u32>(2i));
                                 let _e841 = (_e835 & 3u);
                                 if (_e840 == 0u) {
-                                    phi_969_ = _e687.unnamed.root;
+                                    phi_969_ = _e687.unnamed.word;
                                 } else {
-                                    phi_969_ = _e687.unnamed.first_primitive;
+                                    phi_969_ = _e687.unnamed.shift;
                                 }
                                 let _e844 = phi_969_;
                                 if (_e840 == 0u) {
-                                    phi_979_ = _e756.unnamed.root;
+                                    phi_979_ = _e756.unnamed.word;
                                 } else {
-                                    phi_979_ = _e756.unnamed.first_primitive;
+                                    phi_979_ = _e756.unnamed.shift;
                                 }
                                 let _e853 = phi_979_;
                                 if (_e840 == 0u) {
-                                    phi_989_ = _e825.unnamed.root;
+                                    phi_989_ = _e825.unnamed.word;
                                 } else {
-                                    phi_989_ = _e825.unnamed.first_primitive;
+                                    phi_989_ = _e825.unnamed.shift;
                                 }
                                 let _e862 = phi_989_;
                                 let _e875 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e844 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 - _e361)), ((f32(((_e853 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 - _e362)));
                                 let _e876 = core_intrinsics_maximum_number_nsz_f32_(_e875, ((f32(((_e862 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e363)));
                                 if (_e840 == 0u) {
-                                    phi_1007_ = _e687.unnamed_1.root;
+                                    phi_1007_ = _e687.unnamed_1.word;
                                 } else {
-                                    phi_1007_ = _e687.unnamed_1.first_primitive;
+                                    phi_1007_ = _e687.unnamed_1.shift;
                                 }
                                 let _e879 = phi_1007_;
                                 if (_e840 == 0u) {
-                                    phi_1017_ = _e756.unnamed_1.root;
+                                    phi_1017_ = _e756.unnamed_1.word;
                                 } else {
-                                    phi_1017_ = _e756.unnamed_1.first_primitive;
+                                    phi_1017_ = _e756.unnamed_1.shift;
                                 }
                                 let _e888 = phi_1017_;
                                 if (_e840 == 0u) {
-                                    phi_1027_ = _e825.unnamed_1.root;
+                                    phi_1027_ = _e825.unnamed_1.word;
                                 } else {
-                                    phi_1027_ = _e825.unnamed_1.first_primitive;
+                                    phi_1027_ = _e825.unnamed_1.shift;
                                 }
                                 let _e897 = phi_1027_;
                                 let _e910 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e879 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 + _e361)), ((f32(((_e888 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 + _e362)));
@@ -1893,11 +1893,11 @@ fn function_() {
             phi_2444_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2125 = phi_2444_;
-        if (_e91.first_primitive < arrayLength((&samples.member))) {
+        if (_e91.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e91.first_primitive)] = _e2125;
+        samples.member[(0u + _e91.shift)] = _e2125;
         if (_e1613.triangle != 4294967295u) {
             let _e2134 = ((1f - _e1613.u) - _e1613.v);
             if (_e1613.triangle < _e70) {
@@ -1929,11 +1929,11 @@ fn function_() {
             phi_2535_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2197 = phi_2535_;
-        if (_e91.first_primitive < arrayLength((&past.member))) {
+        if (_e91.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e91.first_primitive)] = vec4<f32>(_e2197.x, _e2197.y, _e2197.z, 1f);
+        past.member[(0u + _e91.shift)] = vec4<f32>(_e2197.x, _e2197.y, _e2197.z, 1f);
     }
     return;
 }
