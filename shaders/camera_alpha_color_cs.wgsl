@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -160,19 +160,19 @@ var<storage> alpha_texels: type_13;
 @group(0) @binding(7) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_212_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_212_: lt_mask_LightPlace;
     var phi_213_: bool;
-    var phi_214_: lt_bvh_traverse_Tree;
+    var phi_214_: lt_mask_LightPlace;
     var phi_215_: bool;
-    var phi_220_: lt_bvh_traverse_Tree;
+    var phi_220_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_212_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_212_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_213_ = false;
         } else {
-            phi_212_ = lt_bvh_traverse_Tree();
+            phi_212_ = lt_mask_LightPlace();
             phi_213_ = true;
         }
         let _e83 = phi_212_;
@@ -180,18 +180,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_214_ = _e83;
         phi_215_ = _e85;
     } else {
-        phi_214_ = lt_bvh_traverse_Tree();
+        phi_214_ = lt_mask_LightPlace();
         phi_215_ = true;
     }
     let _e87 = phi_214_;
     let _e89 = phi_215_;
     if _e89 {
-        phi_220_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_220_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_220_ = _e87;
     }
     let _e94 = phi_220_;
-    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+    return lt_mask_LightPlace(_e94.word, _e94.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -830,7 +830,7 @@ fn function_() {
     let _e98 = p.member.size[0u];
     let _e100 = p.member.size[1u];
     let _e101 = lt_shaders_entry_pixel_index(_e73, _e98, _e100);
-    if (bitcast<i32>(_e101.root) != 0i) {
+    if (bitcast<i32>(_e101.word) != 0i) {
         let _e109 = p.member.eye;
         let _e114 = p.member.size[0u];
         let _e118 = ((((f32(_e73.x) + 0.5f) / f32(_e114)) * 2f) - 1f);
@@ -1164,41 +1164,41 @@ fn function_() {
                         let _e627 = ((bitcast<f32>(_e617) - _e156.origin.z) * _e331);
                         let _e635 = nodes.member[(0u + _e570)].x;
                         if (_e309 < 0f) {
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e635.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.unnamed.root, _e635.w), _e646.unnamed_1);
-                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e635.x, _e652.unnamed_1.first_primitive));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_bvh_traverse_Tree(_e658.unnamed_1.root, _e635.y));
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e635.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.unnamed.word, _e635.w), _e646.unnamed_1);
+                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_mask_LightPlace(_e635.x, _e652.unnamed_1.shift));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_mask_LightPlace(_e658.unnamed_1.word, _e635.y));
                         } else {
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e635.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.unnamed.root, _e635.y), _e674.unnamed_1);
-                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e635.z, _e680.unnamed_1.first_primitive));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_bvh_traverse_Tree(_e686.unnamed_1.root, _e635.w));
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e635.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.unnamed.word, _e635.y), _e674.unnamed_1);
+                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e635.z, _e680.unnamed_1.shift));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_mask_LightPlace(_e686.unnamed_1.word, _e635.w));
                         }
                         let _e694 = phi_1291_;
                         let _e704 = nodes.member[(0u + _e570)].y;
                         if (_e320 < 0f) {
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.unnamed.root, _e704.w), _e715.unnamed_1);
-                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e704.x, _e721.unnamed_1.first_primitive));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_bvh_traverse_Tree(_e727.unnamed_1.root, _e704.y));
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e704.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.unnamed.word, _e704.w), _e715.unnamed_1);
+                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_mask_LightPlace(_e704.x, _e721.unnamed_1.shift));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_mask_LightPlace(_e727.unnamed_1.word, _e704.y));
                         } else {
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.unnamed.root, _e704.y), _e743.unnamed_1);
-                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e704.z, _e749.unnamed_1.first_primitive));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_bvh_traverse_Tree(_e755.unnamed_1.root, _e704.w));
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e704.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.unnamed.word, _e704.y), _e743.unnamed_1);
+                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e704.z, _e749.unnamed_1.shift));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_mask_LightPlace(_e755.unnamed_1.word, _e704.w));
                         }
                         let _e763 = phi_1318_;
                         let _e773 = nodes.member[(0u + _e570)].z;
                         if (_e331 < 0f) {
-                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e773.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e784.unnamed.root, _e773.w), _e784.unnamed_1);
-                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_bvh_traverse_Tree(_e773.x, _e790.unnamed_1.first_primitive));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_bvh_traverse_Tree(_e796.unnamed_1.root, _e773.y));
+                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e773.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.unnamed.word, _e773.w), _e784.unnamed_1);
+                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_mask_LightPlace(_e773.x, _e790.unnamed_1.shift));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_mask_LightPlace(_e796.unnamed_1.word, _e773.y));
                         } else {
-                            let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e773.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e812.unnamed.root, _e773.y), _e812.unnamed_1);
-                            let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e818.unnamed, lt_bvh_traverse_Tree(_e773.z, _e818.unnamed_1.first_primitive));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_bvh_traverse_Tree(_e824.unnamed_1.root, _e773.w));
+                            let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e773.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e812.unnamed.word, _e773.y), _e812.unnamed_1);
+                            let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e818.unnamed, lt_mask_LightPlace(_e773.z, _e818.unnamed_1.shift));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_mask_LightPlace(_e824.unnamed_1.word, _e773.w));
                         }
                         let _e832 = phi_1345_;
                         phi_1351_ = 0u;
@@ -1214,41 +1214,41 @@ fn function_() {
                                 let _e847 = (_e842 >> bitcast<u32>(2i));
                                 let _e848 = (_e842 & 3u);
                                 if (_e847 == 0u) {
-                                    phi_1368_ = _e694.unnamed.root;
+                                    phi_1368_ = _e694.unnamed.word;
                                 } else {
-                                    phi_1368_ = _e694.unnamed.first_primitive;
+                                    phi_1368_ = _e694.unnamed.shift;
                                 }
                                 let _e851 = phi_1368_;
                                 if (_e847 == 0u) {
-                                    phi_1378_ = _e763.unnamed.root;
+                                    phi_1378_ = _e763.unnamed.word;
                                 } else {
-                                    phi_1378_ = _e763.unnamed.first_primitive;
+                                    phi_1378_ = _e763.unnamed.shift;
                                 }
                                 let _e860 = phi_1378_;
                                 if (_e847 == 0u) {
-                                    phi_1388_ = _e832.unnamed.root;
+                                    phi_1388_ = _e832.unnamed.word;
                                 } else {
-                                    phi_1388_ = _e832.unnamed.first_primitive;
+                                    phi_1388_ = _e832.unnamed.shift;
                                 }
                                 let _e869 = phi_1388_;
                                 let _e882 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e851 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e604) + (_e625 - _e368)), ((f32(((_e860 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e605) + (_e626 - _e369)));
                                 let _e883 = core_intrinsics_maximum_number_nsz_f32_(_e882, ((f32(((_e869 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e606) + (_e627 - _e370)));
                                 if (_e847 == 0u) {
-                                    phi_1406_ = _e694.unnamed_1.root;
+                                    phi_1406_ = _e694.unnamed_1.word;
                                 } else {
-                                    phi_1406_ = _e694.unnamed_1.first_primitive;
+                                    phi_1406_ = _e694.unnamed_1.shift;
                                 }
                                 let _e886 = phi_1406_;
                                 if (_e847 == 0u) {
-                                    phi_1416_ = _e763.unnamed_1.root;
+                                    phi_1416_ = _e763.unnamed_1.word;
                                 } else {
-                                    phi_1416_ = _e763.unnamed_1.first_primitive;
+                                    phi_1416_ = _e763.unnamed_1.shift;
                                 }
                                 let _e895 = phi_1416_;
                                 if (_e847 == 0u) {
-                                    phi_1426_ = _e832.unnamed_1.root;
+                                    phi_1426_ = _e832.unnamed_1.word;
                                 } else {
-                                    phi_1426_ = _e832.unnamed_1.first_primitive;
+                                    phi_1426_ = _e832.unnamed_1.shift;
                                 }
                                 let _e904 = phi_1426_;
                                 let _e917 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e886 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e604) + (_e625 + _e368)), ((f32(((_e895 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e605) + (_e626 + _e369)));
@@ -2371,11 +2371,11 @@ fn function_() {
             phi_3176_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2462 = phi_3176_;
-        if (_e101.first_primitive < arrayLength((&samples.member))) {
+        if (_e101.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e101.first_primitive)] = _e2462;
+        samples.member[(0u + _e101.shift)] = _e2462;
     }
     return;
 }

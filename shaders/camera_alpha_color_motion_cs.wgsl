@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -168,19 +168,19 @@ var<storage> before: type_26;
 @group(0) @binding(9) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_220_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_220_: lt_mask_LightPlace;
     var phi_221_: bool;
-    var phi_222_: lt_bvh_traverse_Tree;
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_228_: lt_bvh_traverse_Tree;
+    var phi_228_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_220_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_220_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_221_ = false;
         } else {
-            phi_220_ = lt_bvh_traverse_Tree();
+            phi_220_ = lt_mask_LightPlace();
             phi_221_ = true;
         }
         let _e85 = phi_220_;
@@ -188,18 +188,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_222_ = _e85;
         phi_223_ = _e87;
     } else {
-        phi_222_ = lt_bvh_traverse_Tree();
+        phi_222_ = lt_mask_LightPlace();
         phi_223_ = true;
     }
     let _e89 = phi_222_;
     let _e91 = phi_223_;
     if _e91 {
-        phi_228_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_228_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_228_ = _e89;
     }
     let _e96 = phi_228_;
-    return lt_bvh_traverse_Tree(_e96.root, _e96.first_primitive);
+    return lt_mask_LightPlace(_e96.word, _e96.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -844,7 +844,7 @@ fn function_() {
     let _e106 = p.member.size[0u];
     let _e108 = p.member.size[1u];
     let _e109 = lt_shaders_entry_pixel_index(_e75, _e106, _e108);
-    if (bitcast<i32>(_e109.root) != 0i) {
+    if (bitcast<i32>(_e109.word) != 0i) {
         let _e117 = p.member.eye;
         let _e122 = p.member.size[0u];
         let _e126 = ((((f32(_e75.x) + 0.5f) / f32(_e122)) * 2f) - 1f);
@@ -1178,41 +1178,41 @@ fn function_() {
                         let _e635 = ((bitcast<f32>(_e625) - _e164.origin.z) * _e339);
                         let _e643 = nodes.member[(0u + _e578)].x;
                         if (_e317 < 0f) {
-                            let _e654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e643.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e654.unnamed.root, _e643.w), _e654.unnamed_1);
-                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e660.unnamed, lt_bvh_traverse_Tree(_e643.x, _e660.unnamed_1.first_primitive));
-                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_bvh_traverse_Tree(_e666.unnamed_1.root, _e643.y));
+                            let _e654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e643.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.unnamed.word, _e643.w), _e654.unnamed_1);
+                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e660.unnamed, lt_mask_LightPlace(_e643.x, _e660.unnamed_1.shift));
+                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_mask_LightPlace(_e666.unnamed_1.word, _e643.y));
                         } else {
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e643.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e682.unnamed.root, _e643.y), _e682.unnamed_1);
-                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_bvh_traverse_Tree(_e643.z, _e688.unnamed_1.first_primitive));
-                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e694.unnamed_1.root, _e643.w));
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e643.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e682.unnamed.word, _e643.y), _e682.unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e643.z, _e688.unnamed_1.shift));
+                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_mask_LightPlace(_e694.unnamed_1.word, _e643.w));
                         }
                         let _e702 = phi_1305_;
                         let _e712 = nodes.member[(0u + _e578)].y;
                         if (_e328 < 0f) {
-                            let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e712.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.unnamed.root, _e712.w), _e723.unnamed_1);
-                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e729.unnamed, lt_bvh_traverse_Tree(_e712.x, _e729.unnamed_1.first_primitive));
-                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e735.unnamed_1.root, _e712.y));
+                            let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.unnamed.word, _e712.w), _e723.unnamed_1);
+                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e729.unnamed, lt_mask_LightPlace(_e712.x, _e729.unnamed_1.shift));
+                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_mask_LightPlace(_e735.unnamed_1.word, _e712.y));
                         } else {
-                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e712.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e751.unnamed.root, _e712.y), _e751.unnamed_1);
-                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_bvh_traverse_Tree(_e712.z, _e757.unnamed_1.first_primitive));
-                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e763.unnamed_1.root, _e712.w));
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e751.unnamed.word, _e712.y), _e751.unnamed_1);
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e712.z, _e757.unnamed_1.shift));
+                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e763.unnamed_1.word, _e712.w));
                         }
                         let _e771 = phi_1332_;
                         let _e781 = nodes.member[(0u + _e578)].z;
                         if (_e339 < 0f) {
-                            let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e781.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e792.unnamed.root, _e781.w), _e792.unnamed_1);
-                            let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e798.unnamed, lt_bvh_traverse_Tree(_e781.x, _e798.unnamed_1.first_primitive));
-                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_bvh_traverse_Tree(_e804.unnamed_1.root, _e781.y));
+                            let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e781.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e792.unnamed.word, _e781.w), _e792.unnamed_1);
+                            let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e798.unnamed, lt_mask_LightPlace(_e781.x, _e798.unnamed_1.shift));
+                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_mask_LightPlace(_e804.unnamed_1.word, _e781.y));
                         } else {
-                            let _e820 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e781.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e820.unnamed.root, _e781.y), _e820.unnamed_1);
-                            let _e832 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e826.unnamed, lt_bvh_traverse_Tree(_e781.z, _e826.unnamed_1.first_primitive));
-                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e832.unnamed, lt_bvh_traverse_Tree(_e832.unnamed_1.root, _e781.w));
+                            let _e820 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e781.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e820.unnamed.word, _e781.y), _e820.unnamed_1);
+                            let _e832 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e826.unnamed, lt_mask_LightPlace(_e781.z, _e826.unnamed_1.shift));
+                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e832.unnamed, lt_mask_LightPlace(_e832.unnamed_1.word, _e781.w));
                         }
                         let _e840 = phi_1359_;
                         phi_1365_ = 0u;
@@ -1228,41 +1228,41 @@ fn function_() {
                                 let _e855 = (_e850 >> bitcast<u32>(2i));
                                 let _e856 = (_e850 & 3u);
                                 if (_e855 == 0u) {
-                                    phi_1382_ = _e702.unnamed.root;
+                                    phi_1382_ = _e702.unnamed.word;
                                 } else {
-                                    phi_1382_ = _e702.unnamed.first_primitive;
+                                    phi_1382_ = _e702.unnamed.shift;
                                 }
                                 let _e859 = phi_1382_;
                                 if (_e855 == 0u) {
-                                    phi_1392_ = _e771.unnamed.root;
+                                    phi_1392_ = _e771.unnamed.word;
                                 } else {
-                                    phi_1392_ = _e771.unnamed.first_primitive;
+                                    phi_1392_ = _e771.unnamed.shift;
                                 }
                                 let _e868 = phi_1392_;
                                 if (_e855 == 0u) {
-                                    phi_1402_ = _e840.unnamed.root;
+                                    phi_1402_ = _e840.unnamed.word;
                                 } else {
-                                    phi_1402_ = _e840.unnamed.first_primitive;
+                                    phi_1402_ = _e840.unnamed.shift;
                                 }
                                 let _e877 = phi_1402_;
                                 let _e890 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e859 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u)) * _e612) + (_e633 - _e376)), ((f32(((_e868 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u)) * _e613) + (_e634 - _e377)));
                                 let _e891 = core_intrinsics_maximum_number_nsz_f32_(_e890, ((f32(((_e877 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u)) * _e614) + (_e635 - _e378)));
                                 if (_e855 == 0u) {
-                                    phi_1420_ = _e702.unnamed_1.root;
+                                    phi_1420_ = _e702.unnamed_1.word;
                                 } else {
-                                    phi_1420_ = _e702.unnamed_1.first_primitive;
+                                    phi_1420_ = _e702.unnamed_1.shift;
                                 }
                                 let _e894 = phi_1420_;
                                 if (_e855 == 0u) {
-                                    phi_1430_ = _e771.unnamed_1.root;
+                                    phi_1430_ = _e771.unnamed_1.word;
                                 } else {
-                                    phi_1430_ = _e771.unnamed_1.first_primitive;
+                                    phi_1430_ = _e771.unnamed_1.shift;
                                 }
                                 let _e903 = phi_1430_;
                                 if (_e855 == 0u) {
-                                    phi_1440_ = _e840.unnamed_1.root;
+                                    phi_1440_ = _e840.unnamed_1.word;
                                 } else {
-                                    phi_1440_ = _e840.unnamed_1.first_primitive;
+                                    phi_1440_ = _e840.unnamed_1.shift;
                                 }
                                 let _e912 = phi_1440_;
                                 let _e925 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e894 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u)) * _e612) + (_e633 + _e376)), ((f32(((_e903 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u)) * _e613) + (_e634 + _e377)));
@@ -2385,11 +2385,11 @@ fn function_() {
             phi_3190_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2470 = phi_3190_;
-        if (_e109.first_primitive < arrayLength((&samples.member))) {
+        if (_e109.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e109.first_primitive)] = _e2470;
+        samples.member[(0u + _e109.shift)] = _e2470;
         if (_e1814.triangle != 4294967295u) {
             let _e2479 = ((1f - _e1814.u) - _e1814.v);
             if (_e1814.triangle < _e82) {
@@ -2421,11 +2421,11 @@ fn function_() {
             phi_3281_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2542 = phi_3281_;
-        if (_e109.first_primitive < arrayLength((&past.member))) {
+        if (_e109.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e109.first_primitive)] = vec4<f32>(_e2542.x, _e2542.y, _e2542.z, 1f);
+        past.member[(0u + _e109.shift)] = vec4<f32>(_e2542.x, _e2542.y, _e2542.z, 1f);
     }
     return;
 }

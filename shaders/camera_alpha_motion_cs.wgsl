@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -166,19 +166,19 @@ var<storage> before: type_26;
 @group(0) @binding(8) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_220_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_220_: lt_mask_LightPlace;
     var phi_221_: bool;
-    var phi_222_: lt_bvh_traverse_Tree;
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_228_: lt_bvh_traverse_Tree;
+    var phi_228_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_220_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_220_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_221_ = false;
         } else {
-            phi_220_ = lt_bvh_traverse_Tree();
+            phi_220_ = lt_mask_LightPlace();
             phi_221_ = true;
         }
         let _e84 = phi_220_;
@@ -186,18 +186,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_222_ = _e84;
         phi_223_ = _e86;
     } else {
-        phi_222_ = lt_bvh_traverse_Tree();
+        phi_222_ = lt_mask_LightPlace();
         phi_223_ = true;
     }
     let _e88 = phi_222_;
     let _e90 = phi_223_;
     if _e90 {
-        phi_228_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_228_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_228_ = _e88;
     }
     let _e95 = phi_228_;
-    return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
+    return lt_mask_LightPlace(_e95.word, _e95.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -843,7 +843,7 @@ fn function_() {
     let _e101 = p.member.size[0u];
     let _e103 = p.member.size[1u];
     let _e104 = lt_shaders_entry_pixel_index(_e73, _e101, _e103);
-    if (bitcast<i32>(_e104.root) != 0i) {
+    if (bitcast<i32>(_e104.word) != 0i) {
         let _e112 = p.member.eye;
         let _e117 = p.member.size[0u];
         let _e121 = ((((f32(_e73.x) + 0.5f) / f32(_e117)) * 2f) - 1f);
@@ -1177,41 +1177,41 @@ fn function_() {
                         let _e630 = ((bitcast<f32>(_e620) - _e159.origin.z) * _e334);
                         let _e638 = nodes.member[(0u + _e573)].x;
                         if (_e312 < 0f) {
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.unnamed.root, _e638.w), _e649.unnamed_1);
-                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e638.x, _e655.unnamed_1.first_primitive));
-                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_bvh_traverse_Tree(_e661.unnamed_1.root, _e638.y));
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e649.unnamed.word, _e638.w), _e649.unnamed_1);
+                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e638.x, _e655.unnamed_1.shift));
+                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_mask_LightPlace(_e661.unnamed_1.word, _e638.y));
                         } else {
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e677.unnamed.root, _e638.y), _e677.unnamed_1);
-                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e638.z, _e683.unnamed_1.first_primitive));
-                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e689.unnamed_1.root, _e638.w));
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e677.unnamed.word, _e638.y), _e677.unnamed_1);
+                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_mask_LightPlace(_e638.z, _e683.unnamed_1.shift));
+                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_mask_LightPlace(_e689.unnamed_1.word, _e638.w));
                         }
                         let _e697 = phi_1304_;
                         let _e707 = nodes.member[(0u + _e573)].y;
                         if (_e323 < 0f) {
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.unnamed.root, _e707.w), _e718.unnamed_1);
-                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e707.x, _e724.unnamed_1.first_primitive));
-                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_bvh_traverse_Tree(_e730.unnamed_1.root, _e707.y));
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e718.unnamed.word, _e707.w), _e718.unnamed_1);
+                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e707.x, _e724.unnamed_1.shift));
+                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_mask_LightPlace(_e730.unnamed_1.word, _e707.y));
                         } else {
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e746.unnamed.root, _e707.y), _e746.unnamed_1);
-                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e707.z, _e752.unnamed_1.first_primitive));
-                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e758.unnamed_1.root, _e707.w));
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e746.unnamed.word, _e707.y), _e746.unnamed_1);
+                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_mask_LightPlace(_e707.z, _e752.unnamed_1.shift));
+                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_mask_LightPlace(_e758.unnamed_1.word, _e707.w));
                         }
                         let _e766 = phi_1331_;
                         let _e776 = nodes.member[(0u + _e573)].z;
                         if (_e334 < 0f) {
-                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e776.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e787.unnamed.root, _e776.w), _e787.unnamed_1);
-                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_bvh_traverse_Tree(_e776.x, _e793.unnamed_1.first_primitive));
-                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_bvh_traverse_Tree(_e799.unnamed_1.root, _e776.y));
+                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e776.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e787.unnamed.word, _e776.w), _e787.unnamed_1);
+                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_mask_LightPlace(_e776.x, _e793.unnamed_1.shift));
+                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_mask_LightPlace(_e799.unnamed_1.word, _e776.y));
                         } else {
-                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e776.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e815.unnamed.root, _e776.y), _e815.unnamed_1);
-                            let _e827 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_bvh_traverse_Tree(_e776.z, _e821.unnamed_1.first_primitive));
-                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e827.unnamed, lt_bvh_traverse_Tree(_e827.unnamed_1.root, _e776.w));
+                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e776.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e815.unnamed.word, _e776.y), _e815.unnamed_1);
+                            let _e827 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_mask_LightPlace(_e776.z, _e821.unnamed_1.shift));
+                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e827.unnamed, lt_mask_LightPlace(_e827.unnamed_1.word, _e776.w));
                         }
                         let _e835 = phi_1358_;
                         phi_1364_ = 0u;
@@ -1227,41 +1227,41 @@ fn function_() {
                                 let _e850 = (_e845 >> bitcast<u32>(2i));
                                 let _e851 = (_e845 & 3u);
                                 if (_e850 == 0u) {
-                                    phi_1381_ = _e697.unnamed.root;
+                                    phi_1381_ = _e697.unnamed.word;
                                 } else {
-                                    phi_1381_ = _e697.unnamed.first_primitive;
+                                    phi_1381_ = _e697.unnamed.shift;
                                 }
                                 let _e854 = phi_1381_;
                                 if (_e850 == 0u) {
-                                    phi_1391_ = _e766.unnamed.root;
+                                    phi_1391_ = _e766.unnamed.word;
                                 } else {
-                                    phi_1391_ = _e766.unnamed.first_primitive;
+                                    phi_1391_ = _e766.unnamed.shift;
                                 }
                                 let _e863 = phi_1391_;
                                 if (_e850 == 0u) {
-                                    phi_1401_ = _e835.unnamed.root;
+                                    phi_1401_ = _e835.unnamed.word;
                                 } else {
-                                    phi_1401_ = _e835.unnamed.first_primitive;
+                                    phi_1401_ = _e835.unnamed.shift;
                                 }
                                 let _e872 = phi_1401_;
                                 let _e885 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e854 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e371)), ((f32(((_e863 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 - _e372)));
                                 let _e886 = core_intrinsics_maximum_number_nsz_f32_(_e885, ((f32(((_e872 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e609) + (_e630 - _e373)));
                                 if (_e850 == 0u) {
-                                    phi_1419_ = _e697.unnamed_1.root;
+                                    phi_1419_ = _e697.unnamed_1.word;
                                 } else {
-                                    phi_1419_ = _e697.unnamed_1.first_primitive;
+                                    phi_1419_ = _e697.unnamed_1.shift;
                                 }
                                 let _e889 = phi_1419_;
                                 if (_e850 == 0u) {
-                                    phi_1429_ = _e766.unnamed_1.root;
+                                    phi_1429_ = _e766.unnamed_1.word;
                                 } else {
-                                    phi_1429_ = _e766.unnamed_1.first_primitive;
+                                    phi_1429_ = _e766.unnamed_1.shift;
                                 }
                                 let _e898 = phi_1429_;
                                 if (_e850 == 0u) {
-                                    phi_1439_ = _e835.unnamed_1.root;
+                                    phi_1439_ = _e835.unnamed_1.word;
                                 } else {
-                                    phi_1439_ = _e835.unnamed_1.first_primitive;
+                                    phi_1439_ = _e835.unnamed_1.shift;
                                 }
                                 let _e907 = phi_1439_;
                                 let _e920 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e889 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e371)), ((f32(((_e898 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 + _e372)));
@@ -2348,11 +2348,11 @@ fn function_() {
             phi_3053_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2321 = phi_3053_;
-        if (_e104.first_primitive < arrayLength((&samples.member))) {
+        if (_e104.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e104.first_primitive)] = _e2321;
+        samples.member[(0u + _e104.shift)] = _e2321;
         if (_e1809.triangle != 4294967295u) {
             let _e2330 = ((1f - _e1809.u) - _e1809.v);
             if (_e1809.triangle < _e80) {
@@ -2384,11 +2384,11 @@ fn function_() {
             phi_3144_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2393 = phi_3144_;
-        if (_e104.first_primitive < arrayLength((&past.member))) {
+        if (_e104.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e104.first_primitive)] = vec4<f32>(_e2393.x, _e2393.y, _e2393.z, 1f);
+        past.member[(0u + _e104.shift)] = vec4<f32>(_e2393.x, _e2393.y, _e2393.z, 1f);
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -158,19 +158,19 @@ var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_205_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_205_: lt_mask_LightPlace;
     var phi_206_: bool;
-    var phi_207_: lt_bvh_traverse_Tree;
+    var phi_207_: lt_mask_LightPlace;
     var phi_208_: bool;
-    var phi_213_: lt_bvh_traverse_Tree;
+    var phi_213_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_205_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_205_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_206_ = false;
         } else {
-            phi_205_ = lt_bvh_traverse_Tree();
+            phi_205_ = lt_mask_LightPlace();
             phi_206_ = true;
         }
         let _e81 = phi_205_;
@@ -178,18 +178,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_207_ = _e81;
         phi_208_ = _e83;
     } else {
-        phi_207_ = lt_bvh_traverse_Tree();
+        phi_207_ = lt_mask_LightPlace();
         phi_208_ = true;
     }
     let _e85 = phi_207_;
     let _e87 = phi_208_;
     if _e87 {
-        phi_213_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_213_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_213_ = _e85;
     }
     let _e92 = phi_213_;
-    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
+    return lt_mask_LightPlace(_e92.word, _e92.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -822,7 +822,7 @@ fn function_() {
     let _e92 = p.member.size[0u];
     let _e94 = p.member.size[1u];
     let _e95 = lt_shaders_entry_pixel_index(_e70, _e92, _e94);
-    if (bitcast<i32>(_e95.root) != 0i) {
+    if (bitcast<i32>(_e95.word) != 0i) {
         let _e103 = p.member.eye;
         let _e108 = p.member.size[0u];
         let _e112 = ((((f32(_e70.x) + 0.5f) / f32(_e108)) * 2f) - 1f);
@@ -1156,41 +1156,41 @@ fn function_() {
                         let _e621 = ((bitcast<f32>(_e611) - _e150.origin.z) * _e325);
                         let _e629 = nodes.member[(0u + _e564)].x;
                         if (_e303 < 0f) {
-                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.unnamed.root, _e629.w), _e640.unnamed_1);
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e629.x, _e646.unnamed_1.first_primitive));
-                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e652.unnamed_1.root, _e629.y));
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.unnamed.word, _e629.w), _e640.unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_mask_LightPlace(_e629.x, _e646.unnamed_1.shift));
+                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_mask_LightPlace(_e652.unnamed_1.word, _e629.y));
                         } else {
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.unnamed.root, _e629.y), _e668.unnamed_1);
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e629.z, _e674.unnamed_1.first_primitive));
-                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e680.unnamed_1.root, _e629.w));
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e668.unnamed.word, _e629.y), _e668.unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e629.z, _e674.unnamed_1.shift));
+                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e680.unnamed_1.word, _e629.w));
                         }
                         let _e688 = phi_1272_;
                         let _e698 = nodes.member[(0u + _e564)].y;
                         if (_e314 < 0f) {
-                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.unnamed.root, _e698.w), _e709.unnamed_1);
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e698.x, _e715.unnamed_1.first_primitive));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e721.unnamed_1.root, _e698.y));
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.unnamed.word, _e698.w), _e709.unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_mask_LightPlace(_e698.x, _e715.unnamed_1.shift));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_mask_LightPlace(_e721.unnamed_1.word, _e698.y));
                         } else {
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.unnamed.root, _e698.y), _e737.unnamed_1);
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e698.z, _e743.unnamed_1.first_primitive));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e749.unnamed_1.root, _e698.w));
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e737.unnamed.word, _e698.y), _e737.unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e698.z, _e743.unnamed_1.shift));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e749.unnamed_1.word, _e698.w));
                         }
                         let _e757 = phi_1299_;
                         let _e767 = nodes.member[(0u + _e564)].z;
                         if (_e325 < 0f) {
-                            let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e767.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e778.unnamed.root, _e767.w), _e778.unnamed_1);
-                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e784.unnamed, lt_bvh_traverse_Tree(_e767.x, _e784.unnamed_1.first_primitive));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_bvh_traverse_Tree(_e790.unnamed_1.root, _e767.y));
+                            let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e767.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e778.unnamed.word, _e767.w), _e778.unnamed_1);
+                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e784.unnamed, lt_mask_LightPlace(_e767.x, _e784.unnamed_1.shift));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_mask_LightPlace(_e790.unnamed_1.word, _e767.y));
                         } else {
-                            let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e767.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e806.unnamed.root, _e767.y), _e806.unnamed_1);
-                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e812.unnamed, lt_bvh_traverse_Tree(_e767.z, _e812.unnamed_1.first_primitive));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e818.unnamed, lt_bvh_traverse_Tree(_e818.unnamed_1.root, _e767.w));
+                            let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e767.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e806.unnamed.word, _e767.y), _e806.unnamed_1);
+                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e812.unnamed, lt_mask_LightPlace(_e767.z, _e812.unnamed_1.shift));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e818.unnamed, lt_mask_LightPlace(_e818.unnamed_1.word, _e767.w));
                         }
                         let _e826 = phi_1326_;
                         phi_1332_ = 0u;
@@ -1206,41 +1206,41 @@ fn function_() {
                                 let _e841 = (_e836 >> bitcast<u32>(2i));
                                 let _e842 = (_e836 & 3u);
                                 if (_e841 == 0u) {
-                                    phi_1349_ = _e688.unnamed.root;
+                                    phi_1349_ = _e688.unnamed.word;
                                 } else {
-                                    phi_1349_ = _e688.unnamed.first_primitive;
+                                    phi_1349_ = _e688.unnamed.shift;
                                 }
                                 let _e845 = phi_1349_;
                                 if (_e841 == 0u) {
-                                    phi_1359_ = _e757.unnamed.root;
+                                    phi_1359_ = _e757.unnamed.word;
                                 } else {
-                                    phi_1359_ = _e757.unnamed.first_primitive;
+                                    phi_1359_ = _e757.unnamed.shift;
                                 }
                                 let _e854 = phi_1359_;
                                 if (_e841 == 0u) {
-                                    phi_1369_ = _e826.unnamed.root;
+                                    phi_1369_ = _e826.unnamed.word;
                                 } else {
-                                    phi_1369_ = _e826.unnamed.first_primitive;
+                                    phi_1369_ = _e826.unnamed.shift;
                                 }
                                 let _e863 = phi_1369_;
                                 let _e876 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e845 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e598) + (_e619 - _e362)), ((f32(((_e854 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e363)));
                                 let _e877 = core_intrinsics_maximum_number_nsz_f32_(_e876, ((f32(((_e863 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e600) + (_e621 - _e364)));
                                 if (_e841 == 0u) {
-                                    phi_1387_ = _e688.unnamed_1.root;
+                                    phi_1387_ = _e688.unnamed_1.word;
                                 } else {
-                                    phi_1387_ = _e688.unnamed_1.first_primitive;
+                                    phi_1387_ = _e688.unnamed_1.shift;
                                 }
                                 let _e880 = phi_1387_;
                                 if (_e841 == 0u) {
-                                    phi_1397_ = _e757.unnamed_1.root;
+                                    phi_1397_ = _e757.unnamed_1.word;
                                 } else {
-                                    phi_1397_ = _e757.unnamed_1.first_primitive;
+                                    phi_1397_ = _e757.unnamed_1.shift;
                                 }
                                 let _e889 = phi_1397_;
                                 if (_e841 == 0u) {
-                                    phi_1407_ = _e826.unnamed_1.root;
+                                    phi_1407_ = _e826.unnamed_1.word;
                                 } else {
-                                    phi_1407_ = _e826.unnamed_1.first_primitive;
+                                    phi_1407_ = _e826.unnamed_1.shift;
                                 }
                                 let _e898 = phi_1407_;
                                 let _e911 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e880 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e598) + (_e619 + _e362)), ((f32(((_e889 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e599) + (_e620 + _e363)));
@@ -2286,11 +2286,11 @@ fn function_() {
             phi_2960_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2270 = phi_2960_;
-        if (_e95.first_primitive < arrayLength((&samples.member))) {
+        if (_e95.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e95.first_primitive)] = _e2270;
+        samples.member[(0u + _e95.shift)] = _e2270;
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -166,19 +166,19 @@ var<storage> before: type_26;
 @group(0) @binding(8) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_213_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_213_: lt_mask_LightPlace;
     var phi_214_: bool;
-    var phi_215_: lt_bvh_traverse_Tree;
+    var phi_215_: lt_mask_LightPlace;
     var phi_216_: bool;
-    var phi_221_: lt_bvh_traverse_Tree;
+    var phi_221_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_213_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_213_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_214_ = false;
         } else {
-            phi_213_ = lt_bvh_traverse_Tree();
+            phi_213_ = lt_mask_LightPlace();
             phi_214_ = true;
         }
         let _e83 = phi_213_;
@@ -186,18 +186,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_215_ = _e83;
         phi_216_ = _e85;
     } else {
-        phi_215_ = lt_bvh_traverse_Tree();
+        phi_215_ = lt_mask_LightPlace();
         phi_216_ = true;
     }
     let _e87 = phi_215_;
     let _e89 = phi_216_;
     if _e89 {
-        phi_221_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_221_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_221_ = _e87;
     }
     let _e94 = phi_221_;
-    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+    return lt_mask_LightPlace(_e94.word, _e94.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -836,7 +836,7 @@ fn function_() {
     let _e100 = p.member.size[0u];
     let _e102 = p.member.size[1u];
     let _e103 = lt_shaders_entry_pixel_index(_e72, _e100, _e102);
-    if (bitcast<i32>(_e103.root) != 0i) {
+    if (bitcast<i32>(_e103.word) != 0i) {
         let _e111 = p.member.eye;
         let _e116 = p.member.size[0u];
         let _e120 = ((((f32(_e72.x) + 0.5f) / f32(_e116)) * 2f) - 1f);
@@ -1170,41 +1170,41 @@ fn function_() {
                         let _e629 = ((bitcast<f32>(_e619) - _e158.origin.z) * _e333);
                         let _e637 = nodes.member[(0u + _e572)].x;
                         if (_e311 < 0f) {
-                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e637.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e648.unnamed.root, _e637.w), _e648.unnamed_1);
-                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e654.unnamed, lt_bvh_traverse_Tree(_e637.x, _e654.unnamed_1.first_primitive));
-                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e660.unnamed, lt_bvh_traverse_Tree(_e660.unnamed_1.root, _e637.y));
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e637.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e648.unnamed.word, _e637.w), _e648.unnamed_1);
+                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e654.unnamed, lt_mask_LightPlace(_e637.x, _e654.unnamed_1.shift));
+                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e660.unnamed, lt_mask_LightPlace(_e660.unnamed_1.word, _e637.y));
                         } else {
-                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e637.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e676.unnamed.root, _e637.y), _e676.unnamed_1);
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_bvh_traverse_Tree(_e637.z, _e682.unnamed_1.first_primitive));
-                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_bvh_traverse_Tree(_e688.unnamed_1.root, _e637.w));
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e637.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e676.unnamed.word, _e637.y), _e676.unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_mask_LightPlace(_e637.z, _e682.unnamed_1.shift));
+                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e688.unnamed_1.word, _e637.w));
                         }
                         let _e696 = phi_1286_;
                         let _e706 = nodes.member[(0u + _e572)].y;
                         if (_e322 < 0f) {
-                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e706.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e717.unnamed.root, _e706.w), _e717.unnamed_1);
-                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e723.unnamed, lt_bvh_traverse_Tree(_e706.x, _e723.unnamed_1.first_primitive));
-                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e729.unnamed, lt_bvh_traverse_Tree(_e729.unnamed_1.root, _e706.y));
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e706.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e717.unnamed.word, _e706.w), _e717.unnamed_1);
+                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e723.unnamed, lt_mask_LightPlace(_e706.x, _e723.unnamed_1.shift));
+                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e729.unnamed, lt_mask_LightPlace(_e729.unnamed_1.word, _e706.y));
                         } else {
-                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e706.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e745.unnamed.root, _e706.y), _e745.unnamed_1);
-                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_bvh_traverse_Tree(_e706.z, _e751.unnamed_1.first_primitive));
-                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_bvh_traverse_Tree(_e757.unnamed_1.root, _e706.w));
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e706.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e745.unnamed.word, _e706.y), _e745.unnamed_1);
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_mask_LightPlace(_e706.z, _e751.unnamed_1.shift));
+                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e757.unnamed_1.word, _e706.w));
                         }
                         let _e765 = phi_1313_;
                         let _e775 = nodes.member[(0u + _e572)].z;
                         if (_e333 < 0f) {
-                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e775.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e786.unnamed.root, _e775.w), _e786.unnamed_1);
-                            let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e792.unnamed, lt_bvh_traverse_Tree(_e775.x, _e792.unnamed_1.first_primitive));
-                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e798.unnamed, lt_bvh_traverse_Tree(_e798.unnamed_1.root, _e775.y));
+                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e775.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e786.unnamed.word, _e775.w), _e786.unnamed_1);
+                            let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e792.unnamed, lt_mask_LightPlace(_e775.x, _e792.unnamed_1.shift));
+                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e798.unnamed, lt_mask_LightPlace(_e798.unnamed_1.word, _e775.y));
                         } else {
-                            let _e814 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e775.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e820 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e814.unnamed.root, _e775.y), _e814.unnamed_1);
-                            let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e820.unnamed, lt_bvh_traverse_Tree(_e775.z, _e820.unnamed_1.first_primitive));
-                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e826.unnamed, lt_bvh_traverse_Tree(_e826.unnamed_1.root, _e775.w));
+                            let _e814 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e775.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e820 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e814.unnamed.word, _e775.y), _e814.unnamed_1);
+                            let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e820.unnamed, lt_mask_LightPlace(_e775.z, _e820.unnamed_1.shift));
+                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e826.unnamed, lt_mask_LightPlace(_e826.unnamed_1.word, _e775.w));
                         }
                         let _e834 = phi_1340_;
                         phi_1346_ = 0u;
@@ -1220,41 +1220,41 @@ fn function_() {
                                 let _e849 = (_e844 >> bitcast<u32>(2i));
                                 let _e850 = (_e844 & 3u);
                                 if (_e849 == 0u) {
-                                    phi_1363_ = _e696.unnamed.root;
+                                    phi_1363_ = _e696.unnamed.word;
                                 } else {
-                                    phi_1363_ = _e696.unnamed.first_primitive;
+                                    phi_1363_ = _e696.unnamed.shift;
                                 }
                                 let _e853 = phi_1363_;
                                 if (_e849 == 0u) {
-                                    phi_1373_ = _e765.unnamed.root;
+                                    phi_1373_ = _e765.unnamed.word;
                                 } else {
-                                    phi_1373_ = _e765.unnamed.first_primitive;
+                                    phi_1373_ = _e765.unnamed.shift;
                                 }
                                 let _e862 = phi_1373_;
                                 if (_e849 == 0u) {
-                                    phi_1383_ = _e834.unnamed.root;
+                                    phi_1383_ = _e834.unnamed.word;
                                 } else {
-                                    phi_1383_ = _e834.unnamed.first_primitive;
+                                    phi_1383_ = _e834.unnamed.shift;
                                 }
                                 let _e871 = phi_1383_;
                                 let _e884 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e853 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u)) * _e606) + (_e627 - _e370)), ((f32(((_e862 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e371)));
                                 let _e885 = core_intrinsics_maximum_number_nsz_f32_(_e884, ((f32(((_e871 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u)) * _e608) + (_e629 - _e372)));
                                 if (_e849 == 0u) {
-                                    phi_1401_ = _e696.unnamed_1.root;
+                                    phi_1401_ = _e696.unnamed_1.word;
                                 } else {
-                                    phi_1401_ = _e696.unnamed_1.first_primitive;
+                                    phi_1401_ = _e696.unnamed_1.shift;
                                 }
                                 let _e888 = phi_1401_;
                                 if (_e849 == 0u) {
-                                    phi_1411_ = _e765.unnamed_1.root;
+                                    phi_1411_ = _e765.unnamed_1.word;
                                 } else {
-                                    phi_1411_ = _e765.unnamed_1.first_primitive;
+                                    phi_1411_ = _e765.unnamed_1.shift;
                                 }
                                 let _e897 = phi_1411_;
                                 if (_e849 == 0u) {
-                                    phi_1421_ = _e834.unnamed_1.root;
+                                    phi_1421_ = _e834.unnamed_1.word;
                                 } else {
-                                    phi_1421_ = _e834.unnamed_1.first_primitive;
+                                    phi_1421_ = _e834.unnamed_1.shift;
                                 }
                                 let _e906 = phi_1421_;
                                 let _e919 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e888 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u)) * _e606) + (_e627 + _e370)), ((f32(((_e897 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e371)));
@@ -2300,11 +2300,11 @@ fn function_() {
             phi_2974_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2278 = phi_2974_;
-        if (_e103.first_primitive < arrayLength((&samples.member))) {
+        if (_e103.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e103.first_primitive)] = _e2278;
+        samples.member[(0u + _e103.shift)] = _e2278;
         if (_e1622.triangle != 4294967295u) {
             let _e2287 = ((1f - _e1622.u) - _e1622.v);
             if (_e1622.triangle < _e79) {
@@ -2336,11 +2336,11 @@ fn function_() {
             phi_3065_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2350 = phi_3065_;
-        if (_e103.first_primitive < arrayLength((&past.member))) {
+        if (_e103.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e103.first_primitive)] = vec4<f32>(_e2350.x, _e2350.y, _e2350.z, 1f);
+        past.member[(0u + _e103.shift)] = vec4<f32>(_e2350.x, _e2350.y, _e2350.z, 1f);
     }
     return;
 }

@@ -24,9 +24,9 @@ struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -91,8 +91,8 @@ struct type_37 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -135,19 +135,19 @@ var<storage> triangles: type_29;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_184_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_184_: lt_mask_LightPlace;
     var phi_185_: bool;
-    var phi_186_: lt_bvh_traverse_Tree;
+    var phi_186_: lt_mask_LightPlace;
     var phi_187_: bool;
-    var phi_192_: lt_bvh_traverse_Tree;
+    var phi_192_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_184_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_184_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_185_ = false;
         } else {
-            phi_184_ = lt_bvh_traverse_Tree();
+            phi_184_ = lt_mask_LightPlace();
             phi_185_ = true;
         }
         let _e73 = phi_184_;
@@ -155,18 +155,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_186_ = _e73;
         phi_187_ = _e75;
     } else {
-        phi_186_ = lt_bvh_traverse_Tree();
+        phi_186_ = lt_mask_LightPlace();
         phi_187_ = true;
     }
     let _e77 = phi_186_;
     let _e79 = phi_187_;
     if _e79 {
-        phi_192_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_192_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_192_ = _e77;
     }
     let _e84 = phi_192_;
-    return lt_bvh_traverse_Tree(_e84.root, _e84.first_primitive);
+    return lt_mask_LightPlace(_e84.word, _e84.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -451,7 +451,7 @@ fn function_() {
     let _e80 = p.member.size[0u];
     let _e82 = p.member.size[1u];
     let _e83 = lt_shaders_entry_pixel_index(_e61, _e80, _e82);
-    if (bitcast<i32>(_e83.root) != 0i) {
+    if (bitcast<i32>(_e83.word) != 0i) {
         let _e91 = p.member.eye;
         let _e96 = p.member.size[0u];
         let _e100 = ((((f32(_e61.x) + 0.5f) / f32(_e96)) * 2f) - 1f);
@@ -785,41 +785,41 @@ fn function_() {
                         let _e609 = ((bitcast<f32>(_e599) - _e138.origin.z) * _e313);
                         let _e617 = nodes.member[(0u + _e552)].x;
                         if (_e291 < 0f) {
-                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e617.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.unnamed.root, _e617.w), _e628.unnamed_1);
-                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e634.unnamed, lt_bvh_traverse_Tree(_e617.x, _e634.unnamed_1.first_primitive));
-                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_bvh_traverse_Tree(_e640.unnamed_1.root, _e617.y));
+                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e617.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.unnamed.word, _e617.w), _e628.unnamed_1);
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e634.unnamed, lt_mask_LightPlace(_e617.x, _e634.unnamed_1.shift));
+                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_mask_LightPlace(_e640.unnamed_1.word, _e617.y));
                         } else {
-                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e617.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e656.unnamed.root, _e617.y), _e656.unnamed_1);
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e662.unnamed, lt_bvh_traverse_Tree(_e617.z, _e662.unnamed_1.first_primitive));
-                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e668.unnamed_1.root, _e617.w));
+                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e617.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e656.unnamed.word, _e617.y), _e656.unnamed_1);
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e662.unnamed, lt_mask_LightPlace(_e617.z, _e662.unnamed_1.shift));
+                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_mask_LightPlace(_e668.unnamed_1.word, _e617.w));
                         }
                         let _e676 = phi_879_;
                         let _e686 = nodes.member[(0u + _e552)].y;
                         if (_e302 < 0f) {
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e686.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.unnamed.root, _e686.w), _e697.unnamed_1);
-                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_bvh_traverse_Tree(_e686.x, _e703.unnamed_1.first_primitive));
-                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_bvh_traverse_Tree(_e709.unnamed_1.root, _e686.y));
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e686.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.unnamed.word, _e686.w), _e697.unnamed_1);
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_mask_LightPlace(_e686.x, _e703.unnamed_1.shift));
+                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_mask_LightPlace(_e709.unnamed_1.word, _e686.y));
                         } else {
-                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e686.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e725.unnamed.root, _e686.y), _e725.unnamed_1);
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_bvh_traverse_Tree(_e686.z, _e731.unnamed_1.first_primitive));
-                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e737.unnamed_1.root, _e686.w));
+                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e686.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e725.unnamed.word, _e686.y), _e725.unnamed_1);
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_mask_LightPlace(_e686.z, _e731.unnamed_1.shift));
+                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e737.unnamed_1.word, _e686.w));
                         }
                         let _e745 = phi_906_;
                         let _e755 = nodes.member[(0u + _e552)].z;
                         if (_e313 < 0f) {
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e755.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e766.unnamed.root, _e755.w), _e766.unnamed_1);
-                            let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_bvh_traverse_Tree(_e755.x, _e772.unnamed_1.first_primitive));
-                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e778.unnamed, lt_bvh_traverse_Tree(_e778.unnamed_1.root, _e755.y));
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e755.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.unnamed.word, _e755.w), _e766.unnamed_1);
+                            let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_mask_LightPlace(_e755.x, _e772.unnamed_1.shift));
+                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e778.unnamed, lt_mask_LightPlace(_e778.unnamed_1.word, _e755.y));
                         } else {
-                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e755.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e794.unnamed.root, _e755.y), _e794.unnamed_1);
-                            let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e800.unnamed, lt_bvh_traverse_Tree(_e755.z, _e800.unnamed_1.first_primitive));
-                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e806.unnamed, lt_bvh_traverse_Tree(_e806.unnamed_1.root, _e755.w));
+                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e755.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e794.unnamed.word, _e755.y), _e794.unnamed_1);
+                            let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e800.unnamed, lt_mask_LightPlace(_e755.z, _e800.unnamed_1.shift));
+                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e806.unnamed, lt_mask_LightPlace(_e806.unnamed_1.word, _e755.w));
                         }
                         let _e814 = phi_933_;
                         phi_939_ = 0u;
@@ -835,41 +835,41 @@ fn function_() {
                                 let _e829 = (_e824 >> bitcast<u32>(2i));
                                 let _e830 = (_e824 & 3u);
                                 if (_e829 == 0u) {
-                                    phi_956_ = _e676.unnamed.root;
+                                    phi_956_ = _e676.unnamed.word;
                                 } else {
-                                    phi_956_ = _e676.unnamed.first_primitive;
+                                    phi_956_ = _e676.unnamed.shift;
                                 }
                                 let _e833 = phi_956_;
                                 if (_e829 == 0u) {
-                                    phi_966_ = _e745.unnamed.root;
+                                    phi_966_ = _e745.unnamed.word;
                                 } else {
-                                    phi_966_ = _e745.unnamed.first_primitive;
+                                    phi_966_ = _e745.unnamed.shift;
                                 }
                                 let _e842 = phi_966_;
                                 if (_e829 == 0u) {
-                                    phi_976_ = _e814.unnamed.root;
+                                    phi_976_ = _e814.unnamed.word;
                                 } else {
-                                    phi_976_ = _e814.unnamed.first_primitive;
+                                    phi_976_ = _e814.unnamed.shift;
                                 }
                                 let _e851 = phi_976_;
                                 let _e864 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e833 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u)) * _e586) + (_e607 - _e350)), ((f32(((_e842 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u)) * _e587) + (_e608 - _e351)));
                                 let _e865 = core_intrinsics_maximum_number_nsz_f32_(_e864, ((f32(((_e851 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u)) * _e588) + (_e609 - _e352)));
                                 if (_e829 == 0u) {
-                                    phi_994_ = _e676.unnamed_1.root;
+                                    phi_994_ = _e676.unnamed_1.word;
                                 } else {
-                                    phi_994_ = _e676.unnamed_1.first_primitive;
+                                    phi_994_ = _e676.unnamed_1.shift;
                                 }
                                 let _e868 = phi_994_;
                                 if (_e829 == 0u) {
-                                    phi_1004_ = _e745.unnamed_1.root;
+                                    phi_1004_ = _e745.unnamed_1.word;
                                 } else {
-                                    phi_1004_ = _e745.unnamed_1.first_primitive;
+                                    phi_1004_ = _e745.unnamed_1.shift;
                                 }
                                 let _e877 = phi_1004_;
                                 if (_e829 == 0u) {
-                                    phi_1014_ = _e814.unnamed_1.root;
+                                    phi_1014_ = _e814.unnamed_1.word;
                                 } else {
-                                    phi_1014_ = _e814.unnamed_1.first_primitive;
+                                    phi_1014_ = _e814.unnamed_1.shift;
                                 }
                                 let _e886 = phi_1014_;
                                 let _e899 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e868 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u)) * _e586) + (_e607 + _e350)), ((f32(((_e877 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u)) * _e587) + (_e608 + _e351)));
@@ -1879,11 +1879,11 @@ fn function_() {
             phi_2431_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2114 = phi_2431_;
-        if (_e83.first_primitive < arrayLength((&samples.member))) {
+        if (_e83.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e83.first_primitive)] = _e2114;
+        samples.member[(0u + _e83.shift)] = _e2114;
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_43 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -177,19 +177,19 @@ var<storage> alpha_texels: type_13;
 @group(0) @binding(8) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_222_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_224_: lt_bvh_traverse_Tree;
+    var phi_224_: lt_mask_LightPlace;
     var phi_225_: bool;
-    var phi_230_: lt_bvh_traverse_Tree;
+    var phi_230_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_222_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_222_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_223_ = false;
         } else {
-            phi_222_ = lt_bvh_traverse_Tree();
+            phi_222_ = lt_mask_LightPlace();
             phi_223_ = true;
         }
         let _e83 = phi_222_;
@@ -197,18 +197,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_224_ = _e83;
         phi_225_ = _e85;
     } else {
-        phi_224_ = lt_bvh_traverse_Tree();
+        phi_224_ = lt_mask_LightPlace();
         phi_225_ = true;
     }
     let _e87 = phi_224_;
     let _e89 = phi_225_;
     if _e89 {
-        phi_230_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_230_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_230_ = _e87;
     }
     let _e94 = phi_230_;
-    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+    return lt_mask_LightPlace(_e94.word, _e94.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -931,7 +931,7 @@ fn function_() {
     let _e102 = p.member.size[0u];
     let _e104 = p.member.size[1u];
     let _e105 = lt_shaders_entry_pixel_index(_e74, _e102, _e104);
-    if (bitcast<i32>(_e105.root) != 0i) {
+    if (bitcast<i32>(_e105.word) != 0i) {
         let _e111 = p.member.root;
         let _e115 = p.member.eye;
         let _e120 = p.member.size[0u];
@@ -1225,41 +1225,41 @@ fn function_() {
                         let _e591 = ((bitcast<f32>(_e581) - _e162.origin.z) * _e337);
                         let _e599 = nodes.member[(0u + _e532)].x;
                         if (_e315 < 0f) {
-                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e610.unnamed.root, _e599.w), _e610.unnamed_1);
-                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e616.unnamed, lt_bvh_traverse_Tree(_e599.x, _e616.unnamed_1.first_primitive));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_bvh_traverse_Tree(_e622.unnamed_1.root, _e599.y));
+                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e599.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e610.unnamed.word, _e599.w), _e610.unnamed_1);
+                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e616.unnamed, lt_mask_LightPlace(_e599.x, _e616.unnamed_1.shift));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_mask_LightPlace(_e622.unnamed_1.word, _e599.y));
                         } else {
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.unnamed.root, _e599.y), _e638.unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e599.z, _e644.unnamed_1.first_primitive));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e650.unnamed_1.root, _e599.w));
+                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e599.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e638.unnamed.word, _e599.y), _e638.unnamed_1);
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_mask_LightPlace(_e599.z, _e644.unnamed_1.shift));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_mask_LightPlace(_e650.unnamed_1.word, _e599.w));
                         }
                         let _e658 = phi_1255_;
                         let _e668 = nodes.member[(0u + _e532)].y;
                         if (_e326 < 0f) {
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e679.unnamed.root, _e668.w), _e679.unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_bvh_traverse_Tree(_e668.x, _e685.unnamed_1.first_primitive));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e691.unnamed_1.root, _e668.y));
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e668.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.unnamed.word, _e668.w), _e679.unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_mask_LightPlace(_e668.x, _e685.unnamed_1.shift));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e691.unnamed_1.word, _e668.y));
                         } else {
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.unnamed.root, _e668.y), _e707.unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e668.z, _e713.unnamed_1.first_primitive));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e719.unnamed_1.root, _e668.w));
+                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e668.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e707.unnamed.word, _e668.y), _e707.unnamed_1);
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_mask_LightPlace(_e668.z, _e713.unnamed_1.shift));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_mask_LightPlace(_e719.unnamed_1.word, _e668.w));
                         }
                         let _e727 = phi_1282_;
                         let _e737 = nodes.member[(0u + _e532)].z;
                         if (_e337 < 0f) {
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e748.unnamed.root, _e737.w), _e748.unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_bvh_traverse_Tree(_e737.x, _e754.unnamed_1.first_primitive));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e760.unnamed_1.root, _e737.y));
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e737.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.unnamed.word, _e737.w), _e748.unnamed_1);
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_mask_LightPlace(_e737.x, _e754.unnamed_1.shift));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e760.unnamed_1.word, _e737.y));
                         } else {
-                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e776.unnamed.root, _e737.y), _e776.unnamed_1);
-                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_bvh_traverse_Tree(_e737.z, _e782.unnamed_1.first_primitive));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_bvh_traverse_Tree(_e788.unnamed_1.root, _e737.w));
+                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e737.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e776.unnamed.word, _e737.y), _e776.unnamed_1);
+                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_mask_LightPlace(_e737.z, _e782.unnamed_1.shift));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_mask_LightPlace(_e788.unnamed_1.word, _e737.w));
                         }
                         let _e796 = phi_1309_;
                         phi_1315_ = 0u;
@@ -1275,41 +1275,41 @@ fn function_() {
                                 let _e811 = (_e806 >> bitcast<u32>(2i));
                                 let _e812 = (_e806 & 3u);
                                 if (_e811 == 0u) {
-                                    phi_1332_ = _e658.unnamed.root;
+                                    phi_1332_ = _e658.unnamed.word;
                                 } else {
-                                    phi_1332_ = _e658.unnamed.first_primitive;
+                                    phi_1332_ = _e658.unnamed.shift;
                                 }
                                 let _e815 = phi_1332_;
                                 if (_e811 == 0u) {
-                                    phi_1342_ = _e727.unnamed.root;
+                                    phi_1342_ = _e727.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e727.unnamed.first_primitive;
+                                    phi_1342_ = _e727.unnamed.shift;
                                 }
                                 let _e824 = phi_1342_;
                                 if (_e811 == 0u) {
-                                    phi_1352_ = _e796.unnamed.root;
+                                    phi_1352_ = _e796.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e796.unnamed.first_primitive;
+                                    phi_1352_ = _e796.unnamed.shift;
                                 }
                                 let _e833 = phi_1352_;
                                 let _e846 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e815 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e568) + (_e589 - _e374)), ((f32(((_e824 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e569) + (_e590 - _e375)));
                                 let _e847 = core_intrinsics_maximum_number_nsz_f32_(_e846, ((f32(((_e833 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e570) + (_e591 - _e376)));
                                 if (_e811 == 0u) {
-                                    phi_1370_ = _e658.unnamed_1.root;
+                                    phi_1370_ = _e658.unnamed_1.word;
                                 } else {
-                                    phi_1370_ = _e658.unnamed_1.first_primitive;
+                                    phi_1370_ = _e658.unnamed_1.shift;
                                 }
                                 let _e850 = phi_1370_;
                                 if (_e811 == 0u) {
-                                    phi_1380_ = _e727.unnamed_1.root;
+                                    phi_1380_ = _e727.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e727.unnamed_1.first_primitive;
+                                    phi_1380_ = _e727.unnamed_1.shift;
                                 }
                                 let _e859 = phi_1380_;
                                 if (_e811 == 0u) {
-                                    phi_1390_ = _e796.unnamed_1.root;
+                                    phi_1390_ = _e796.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e796.unnamed_1.first_primitive;
+                                    phi_1390_ = _e796.unnamed_1.shift;
                                 }
                                 let _e868 = phi_1390_;
                                 let _e881 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e850 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e568) + (_e589 + _e374)), ((f32(((_e859 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e569) + (_e590 + _e375)));
@@ -1801,41 +1801,41 @@ fn function_() {
                                                             let _e1575 = ((bitcast<f32>(_e1568) - _e1095) * _e1304);
                                                             let _e1583 = nodes.member[(0u + _e1522)].x;
                                                             if (_e1284 < 0f) {
-                                                                let _e1594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1583.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1594.unnamed.root, _e1583.w), _e1594.unnamed_1);
-                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1600.unnamed, lt_bvh_traverse_Tree(_e1583.x, _e1600.unnamed_1.first_primitive));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_bvh_traverse_Tree(_e1606.unnamed_1.root, _e1583.y));
+                                                                let _e1594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1583.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1594.unnamed.word, _e1583.w), _e1594.unnamed_1);
+                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1600.unnamed, lt_mask_LightPlace(_e1583.x, _e1600.unnamed_1.shift));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_mask_LightPlace(_e1606.unnamed_1.word, _e1583.y));
                                                             } else {
-                                                                let _e1622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1583.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1622.unnamed.root, _e1583.y), _e1622.unnamed_1);
-                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1628.unnamed, lt_bvh_traverse_Tree(_e1583.z, _e1628.unnamed_1.first_primitive));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_bvh_traverse_Tree(_e1634.unnamed_1.root, _e1583.w));
+                                                                let _e1622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1583.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1622.unnamed.word, _e1583.y), _e1622.unnamed_1);
+                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1628.unnamed, lt_mask_LightPlace(_e1583.z, _e1628.unnamed_1.shift));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_mask_LightPlace(_e1634.unnamed_1.word, _e1583.w));
                                                             }
                                                             let _e1642 = phi_2214_;
                                                             let _e1652 = nodes.member[(0u + _e1522)].y;
                                                             if (_e1294 < 0f) {
-                                                                let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1652.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1663.unnamed.root, _e1652.w), _e1663.unnamed_1);
-                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1669.unnamed, lt_bvh_traverse_Tree(_e1652.x, _e1669.unnamed_1.first_primitive));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_bvh_traverse_Tree(_e1675.unnamed_1.root, _e1652.y));
+                                                                let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1652.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.unnamed.word, _e1652.w), _e1663.unnamed_1);
+                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1669.unnamed, lt_mask_LightPlace(_e1652.x, _e1669.unnamed_1.shift));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_mask_LightPlace(_e1675.unnamed_1.word, _e1652.y));
                                                             } else {
-                                                                let _e1691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1652.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1691.unnamed.root, _e1652.y), _e1691.unnamed_1);
-                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1697.unnamed, lt_bvh_traverse_Tree(_e1652.z, _e1697.unnamed_1.first_primitive));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_bvh_traverse_Tree(_e1703.unnamed_1.root, _e1652.w));
+                                                                let _e1691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1652.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1691.unnamed.word, _e1652.y), _e1691.unnamed_1);
+                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1697.unnamed, lt_mask_LightPlace(_e1652.z, _e1697.unnamed_1.shift));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_mask_LightPlace(_e1703.unnamed_1.word, _e1652.w));
                                                             }
                                                             let _e1711 = phi_2241_;
                                                             let _e1721 = nodes.member[(0u + _e1522)].z;
                                                             if (_e1304 < 0f) {
-                                                                let _e1732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1721.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1732.unnamed.root, _e1721.w), _e1732.unnamed_1);
-                                                                let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1738.unnamed, lt_bvh_traverse_Tree(_e1721.x, _e1738.unnamed_1.first_primitive));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_bvh_traverse_Tree(_e1744.unnamed_1.root, _e1721.y));
+                                                                let _e1732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1721.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.unnamed.word, _e1721.w), _e1732.unnamed_1);
+                                                                let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1738.unnamed, lt_mask_LightPlace(_e1721.x, _e1738.unnamed_1.shift));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_mask_LightPlace(_e1744.unnamed_1.word, _e1721.y));
                                                             } else {
-                                                                let _e1760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1721.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1760.unnamed.root, _e1721.y), _e1760.unnamed_1);
-                                                                let _e1772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1766.unnamed, lt_bvh_traverse_Tree(_e1721.z, _e1766.unnamed_1.first_primitive));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1772.unnamed, lt_bvh_traverse_Tree(_e1772.unnamed_1.root, _e1721.w));
+                                                                let _e1760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1721.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1760.unnamed.word, _e1721.y), _e1760.unnamed_1);
+                                                                let _e1772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1766.unnamed, lt_mask_LightPlace(_e1721.z, _e1766.unnamed_1.shift));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1772.unnamed, lt_mask_LightPlace(_e1772.unnamed_1.word, _e1721.w));
                                                             }
                                                             let _e1780 = phi_2268_;
                                                             phi_2274_ = 0u;
@@ -1851,41 +1851,41 @@ fn function_() {
                                                                     let _e1795 = (_e1790 >> bitcast<u32>(2i));
                                                                     let _e1796 = (_e1790 & 3u);
                                                                     if (_e1795 == 0u) {
-                                                                        phi_2291_ = _e1642.unnamed.root;
+                                                                        phi_2291_ = _e1642.unnamed.word;
                                                                     } else {
-                                                                        phi_2291_ = _e1642.unnamed.first_primitive;
+                                                                        phi_2291_ = _e1642.unnamed.shift;
                                                                     }
                                                                     let _e1799 = phi_2291_;
                                                                     if (_e1795 == 0u) {
-                                                                        phi_2301_ = _e1711.unnamed.root;
+                                                                        phi_2301_ = _e1711.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1711.unnamed.first_primitive;
+                                                                        phi_2301_ = _e1711.unnamed.shift;
                                                                     }
                                                                     let _e1808 = phi_2301_;
                                                                     if (_e1795 == 0u) {
-                                                                        phi_2311_ = _e1780.unnamed.root;
+                                                                        phi_2311_ = _e1780.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1780.unnamed.first_primitive;
+                                                                        phi_2311_ = _e1780.unnamed.shift;
                                                                     }
                                                                     let _e1817 = phi_2311_;
                                                                     let _e1830 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1799 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 - _e1332)), ((f32(((_e1808 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u)) * _e1556) + (_e1574 - _e1333)));
                                                                     let _e1831 = core_intrinsics_maximum_number_nsz_f32_(_e1830, ((f32(((_e1817 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u)) * _e1557) + (_e1575 - _e1334)));
                                                                     if (_e1795 == 0u) {
-                                                                        phi_2329_ = _e1642.unnamed_1.root;
+                                                                        phi_2329_ = _e1642.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2329_ = _e1642.unnamed_1.first_primitive;
+                                                                        phi_2329_ = _e1642.unnamed_1.shift;
                                                                     }
                                                                     let _e1834 = phi_2329_;
                                                                     if (_e1795 == 0u) {
-                                                                        phi_2339_ = _e1711.unnamed_1.root;
+                                                                        phi_2339_ = _e1711.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1711.unnamed_1.first_primitive;
+                                                                        phi_2339_ = _e1711.unnamed_1.shift;
                                                                     }
                                                                     let _e1843 = phi_2339_;
                                                                     if (_e1795 == 0u) {
-                                                                        phi_2349_ = _e1780.unnamed_1.root;
+                                                                        phi_2349_ = _e1780.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1780.unnamed_1.first_primitive;
+                                                                        phi_2349_ = _e1780.unnamed_1.shift;
                                                                     }
                                                                     let _e1852 = phi_2349_;
                                                                     let _e1865 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1834 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 + _e1332)), ((f32(((_e1843 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u)) * _e1556) + (_e1574 + _e1333)));
@@ -3147,11 +3147,11 @@ fn function_() {
             phi_4299_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3610 = phi_4299_;
-        if (_e105.first_primitive < arrayLength((&samples.member))) {
+        if (_e105.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e105.first_primitive)] = _e3610;
+        samples.member[(0u + _e105.shift)] = _e3610;
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -185,19 +185,19 @@ var<storage> before: type_26;
 @group(0) @binding(10) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_228_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_228_: lt_mask_LightPlace;
     var phi_229_: bool;
-    var phi_230_: lt_bvh_traverse_Tree;
+    var phi_230_: lt_mask_LightPlace;
     var phi_231_: bool;
-    var phi_236_: lt_bvh_traverse_Tree;
+    var phi_236_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_228_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_228_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_229_ = false;
         } else {
-            phi_228_ = lt_bvh_traverse_Tree();
+            phi_228_ = lt_mask_LightPlace();
             phi_229_ = true;
         }
         let _e85 = phi_228_;
@@ -205,18 +205,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_230_ = _e85;
         phi_231_ = _e87;
     } else {
-        phi_230_ = lt_bvh_traverse_Tree();
+        phi_230_ = lt_mask_LightPlace();
         phi_231_ = true;
     }
     let _e89 = phi_230_;
     let _e91 = phi_231_;
     if _e91 {
-        phi_236_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_236_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_236_ = _e89;
     }
     let _e96 = phi_236_;
-    return lt_bvh_traverse_Tree(_e96.root, _e96.first_primitive);
+    return lt_mask_LightPlace(_e96.word, _e96.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -941,7 +941,7 @@ fn function_() {
     let _e110 = p.member.size[0u];
     let _e112 = p.member.size[1u];
     let _e113 = lt_shaders_entry_pixel_index(_e76, _e110, _e112);
-    if (bitcast<i32>(_e113.root) != 0i) {
+    if (bitcast<i32>(_e113.word) != 0i) {
         let _e119 = p.member.root;
         let _e123 = p.member.eye;
         let _e128 = p.member.size[0u];
@@ -1235,41 +1235,41 @@ fn function_() {
                         let _e599 = ((bitcast<f32>(_e589) - _e170.origin.z) * _e345);
                         let _e607 = nodes.member[(0u + _e540)].x;
                         if (_e323 < 0f) {
-                            let _e618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e607.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e618.unnamed.root, _e607.w), _e618.unnamed_1);
-                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e624.unnamed, lt_bvh_traverse_Tree(_e607.x, _e624.unnamed_1.first_primitive));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_bvh_traverse_Tree(_e630.unnamed_1.root, _e607.y));
+                            let _e618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e607.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e618.unnamed.word, _e607.w), _e618.unnamed_1);
+                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e624.unnamed, lt_mask_LightPlace(_e607.x, _e624.unnamed_1.shift));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_mask_LightPlace(_e630.unnamed_1.word, _e607.y));
                         } else {
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e607.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.unnamed.root, _e607.y), _e646.unnamed_1);
-                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e607.z, _e652.unnamed_1.first_primitive));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_bvh_traverse_Tree(_e658.unnamed_1.root, _e607.w));
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e607.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.unnamed.word, _e607.y), _e646.unnamed_1);
+                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_mask_LightPlace(_e607.z, _e652.unnamed_1.shift));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_mask_LightPlace(_e658.unnamed_1.word, _e607.w));
                         }
                         let _e666 = phi_1265_;
                         let _e676 = nodes.member[(0u + _e540)].y;
                         if (_e334 < 0f) {
-                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e676.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e687.unnamed.root, _e676.w), _e687.unnamed_1);
-                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_bvh_traverse_Tree(_e676.x, _e693.unnamed_1.first_primitive));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_bvh_traverse_Tree(_e699.unnamed_1.root, _e676.y));
+                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e676.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.unnamed.word, _e676.w), _e687.unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_mask_LightPlace(_e676.x, _e693.unnamed_1.shift));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_mask_LightPlace(_e699.unnamed_1.word, _e676.y));
                         } else {
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e676.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.unnamed.root, _e676.y), _e715.unnamed_1);
-                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e676.z, _e721.unnamed_1.first_primitive));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_bvh_traverse_Tree(_e727.unnamed_1.root, _e676.w));
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e676.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.unnamed.word, _e676.y), _e715.unnamed_1);
+                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_mask_LightPlace(_e676.z, _e721.unnamed_1.shift));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_mask_LightPlace(_e727.unnamed_1.word, _e676.w));
                         }
                         let _e735 = phi_1292_;
                         let _e745 = nodes.member[(0u + _e540)].z;
                         if (_e345 < 0f) {
-                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e745.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e756.unnamed.root, _e745.w), _e756.unnamed_1);
-                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_bvh_traverse_Tree(_e745.x, _e762.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_bvh_traverse_Tree(_e768.unnamed_1.root, _e745.y));
+                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e745.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.unnamed.word, _e745.w), _e756.unnamed_1);
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_mask_LightPlace(_e745.x, _e762.unnamed_1.shift));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_mask_LightPlace(_e768.unnamed_1.word, _e745.y));
                         } else {
-                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e745.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e784.unnamed.root, _e745.y), _e784.unnamed_1);
-                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_bvh_traverse_Tree(_e745.z, _e790.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_bvh_traverse_Tree(_e796.unnamed_1.root, _e745.w));
+                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e745.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.unnamed.word, _e745.y), _e784.unnamed_1);
+                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_mask_LightPlace(_e745.z, _e790.unnamed_1.shift));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_mask_LightPlace(_e796.unnamed_1.word, _e745.w));
                         }
                         let _e804 = phi_1319_;
                         phi_1325_ = 0u;
@@ -1285,41 +1285,41 @@ fn function_() {
                                 let _e819 = (_e814 >> bitcast<u32>(2i));
                                 let _e820 = (_e814 & 3u);
                                 if (_e819 == 0u) {
-                                    phi_1342_ = _e666.unnamed.root;
+                                    phi_1342_ = _e666.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e666.unnamed.first_primitive;
+                                    phi_1342_ = _e666.unnamed.shift;
                                 }
                                 let _e823 = phi_1342_;
                                 if (_e819 == 0u) {
-                                    phi_1352_ = _e735.unnamed.root;
+                                    phi_1352_ = _e735.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e735.unnamed.first_primitive;
+                                    phi_1352_ = _e735.unnamed.shift;
                                 }
                                 let _e832 = phi_1352_;
                                 if (_e819 == 0u) {
-                                    phi_1362_ = _e804.unnamed.root;
+                                    phi_1362_ = _e804.unnamed.word;
                                 } else {
-                                    phi_1362_ = _e804.unnamed.first_primitive;
+                                    phi_1362_ = _e804.unnamed.shift;
                                 }
                                 let _e841 = phi_1362_;
                                 let _e854 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e823 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u)) * _e576) + (_e597 - _e382)), ((f32(((_e832 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u)) * _e577) + (_e598 - _e383)));
                                 let _e855 = core_intrinsics_maximum_number_nsz_f32_(_e854, ((f32(((_e841 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u)) * _e578) + (_e599 - _e384)));
                                 if (_e819 == 0u) {
-                                    phi_1380_ = _e666.unnamed_1.root;
+                                    phi_1380_ = _e666.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e666.unnamed_1.first_primitive;
+                                    phi_1380_ = _e666.unnamed_1.shift;
                                 }
                                 let _e858 = phi_1380_;
                                 if (_e819 == 0u) {
-                                    phi_1390_ = _e735.unnamed_1.root;
+                                    phi_1390_ = _e735.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e735.unnamed_1.first_primitive;
+                                    phi_1390_ = _e735.unnamed_1.shift;
                                 }
                                 let _e867 = phi_1390_;
                                 if (_e819 == 0u) {
-                                    phi_1400_ = _e804.unnamed_1.root;
+                                    phi_1400_ = _e804.unnamed_1.word;
                                 } else {
-                                    phi_1400_ = _e804.unnamed_1.first_primitive;
+                                    phi_1400_ = _e804.unnamed_1.shift;
                                 }
                                 let _e876 = phi_1400_;
                                 let _e889 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e858 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u)) * _e576) + (_e597 + _e382)), ((f32(((_e867 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u)) * _e577) + (_e598 + _e383)));
@@ -1811,41 +1811,41 @@ fn function_() {
                                                             let _e1583 = ((bitcast<f32>(_e1576) - _e1103) * _e1312);
                                                             let _e1591 = nodes.member[(0u + _e1530)].x;
                                                             if (_e1292 < 0f) {
-                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1591.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1602.unnamed.root, _e1591.w), _e1602.unnamed_1);
-                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_bvh_traverse_Tree(_e1591.x, _e1608.unnamed_1.first_primitive));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_bvh_traverse_Tree(_e1614.unnamed_1.root, _e1591.y));
+                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1591.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1602.unnamed.word, _e1591.w), _e1602.unnamed_1);
+                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_mask_LightPlace(_e1591.x, _e1608.unnamed_1.shift));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_mask_LightPlace(_e1614.unnamed_1.word, _e1591.y));
                                                             } else {
-                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1591.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1630.unnamed.root, _e1591.y), _e1630.unnamed_1);
-                                                                let _e1642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_bvh_traverse_Tree(_e1591.z, _e1636.unnamed_1.first_primitive));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1642.unnamed, lt_bvh_traverse_Tree(_e1642.unnamed_1.root, _e1591.w));
+                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1591.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1630.unnamed.word, _e1591.y), _e1630.unnamed_1);
+                                                                let _e1642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_mask_LightPlace(_e1591.z, _e1636.unnamed_1.shift));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1642.unnamed, lt_mask_LightPlace(_e1642.unnamed_1.word, _e1591.w));
                                                             }
                                                             let _e1650 = phi_2224_;
                                                             let _e1660 = nodes.member[(0u + _e1530)].y;
                                                             if (_e1302 < 0f) {
-                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1660.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1671.unnamed.root, _e1660.w), _e1671.unnamed_1);
-                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1660.x, _e1677.unnamed_1.first_primitive));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_bvh_traverse_Tree(_e1683.unnamed_1.root, _e1660.y));
+                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1660.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1671.unnamed.word, _e1660.w), _e1671.unnamed_1);
+                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_mask_LightPlace(_e1660.x, _e1677.unnamed_1.shift));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_mask_LightPlace(_e1683.unnamed_1.word, _e1660.y));
                                                             } else {
-                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1660.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1699.unnamed.root, _e1660.y), _e1699.unnamed_1);
-                                                                let _e1711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_bvh_traverse_Tree(_e1660.z, _e1705.unnamed_1.first_primitive));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1711.unnamed, lt_bvh_traverse_Tree(_e1711.unnamed_1.root, _e1660.w));
+                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1660.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1699.unnamed.word, _e1660.y), _e1699.unnamed_1);
+                                                                let _e1711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_mask_LightPlace(_e1660.z, _e1705.unnamed_1.shift));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1711.unnamed, lt_mask_LightPlace(_e1711.unnamed_1.word, _e1660.w));
                                                             }
                                                             let _e1719 = phi_2251_;
                                                             let _e1729 = nodes.member[(0u + _e1530)].z;
                                                             if (_e1312 < 0f) {
-                                                                let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1729.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1740.unnamed.root, _e1729.w), _e1740.unnamed_1);
-                                                                let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1746.unnamed, lt_bvh_traverse_Tree(_e1729.x, _e1746.unnamed_1.first_primitive));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_bvh_traverse_Tree(_e1752.unnamed_1.root, _e1729.y));
+                                                                let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1729.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1740.unnamed.word, _e1729.w), _e1740.unnamed_1);
+                                                                let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1746.unnamed, lt_mask_LightPlace(_e1729.x, _e1746.unnamed_1.shift));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_mask_LightPlace(_e1752.unnamed_1.word, _e1729.y));
                                                             } else {
-                                                                let _e1768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1729.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1768.unnamed.root, _e1729.y), _e1768.unnamed_1);
-                                                                let _e1780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1774.unnamed, lt_bvh_traverse_Tree(_e1729.z, _e1774.unnamed_1.first_primitive));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1780.unnamed, lt_bvh_traverse_Tree(_e1780.unnamed_1.root, _e1729.w));
+                                                                let _e1768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1729.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1768.unnamed.word, _e1729.y), _e1768.unnamed_1);
+                                                                let _e1780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1774.unnamed, lt_mask_LightPlace(_e1729.z, _e1774.unnamed_1.shift));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1780.unnamed, lt_mask_LightPlace(_e1780.unnamed_1.word, _e1729.w));
                                                             }
                                                             let _e1788 = phi_2278_;
                                                             phi_2284_ = 0u;
@@ -1861,41 +1861,41 @@ fn function_() {
                                                                     let _e1803 = (_e1798 >> bitcast<u32>(2i));
                                                                     let _e1804 = (_e1798 & 3u);
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2301_ = _e1650.unnamed.root;
+                                                                        phi_2301_ = _e1650.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1650.unnamed.first_primitive;
+                                                                        phi_2301_ = _e1650.unnamed.shift;
                                                                     }
                                                                     let _e1807 = phi_2301_;
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2311_ = _e1719.unnamed.root;
+                                                                        phi_2311_ = _e1719.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1719.unnamed.first_primitive;
+                                                                        phi_2311_ = _e1719.unnamed.shift;
                                                                     }
                                                                     let _e1816 = phi_2311_;
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2321_ = _e1788.unnamed.root;
+                                                                        phi_2321_ = _e1788.unnamed.word;
                                                                     } else {
-                                                                        phi_2321_ = _e1788.unnamed.first_primitive;
+                                                                        phi_2321_ = _e1788.unnamed.shift;
                                                                     }
                                                                     let _e1825 = phi_2321_;
                                                                     let _e1838 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1807 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 - _e1340)), ((f32(((_e1816 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1564) + (_e1582 - _e1341)));
                                                                     let _e1839 = core_intrinsics_maximum_number_nsz_f32_(_e1838, ((f32(((_e1825 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1565) + (_e1583 - _e1342)));
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2339_ = _e1650.unnamed_1.root;
+                                                                        phi_2339_ = _e1650.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1650.unnamed_1.first_primitive;
+                                                                        phi_2339_ = _e1650.unnamed_1.shift;
                                                                     }
                                                                     let _e1842 = phi_2339_;
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2349_ = _e1719.unnamed_1.root;
+                                                                        phi_2349_ = _e1719.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1719.unnamed_1.first_primitive;
+                                                                        phi_2349_ = _e1719.unnamed_1.shift;
                                                                     }
                                                                     let _e1851 = phi_2349_;
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2359_ = _e1788.unnamed_1.root;
+                                                                        phi_2359_ = _e1788.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2359_ = _e1788.unnamed_1.first_primitive;
+                                                                        phi_2359_ = _e1788.unnamed_1.shift;
                                                                     }
                                                                     let _e1860 = phi_2359_;
                                                                     let _e1873 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1842 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 + _e1340)), ((f32(((_e1851 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1564) + (_e1582 + _e1341)));
@@ -3157,11 +3157,11 @@ fn function_() {
             phi_4309_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3618 = phi_4309_;
-        if (_e113.first_primitive < arrayLength((&samples.member))) {
+        if (_e113.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e113.first_primitive)] = _e3618;
+        samples.member[(0u + _e113.shift)] = _e3618;
         if (_e2834.triangle != 4294967295u) {
             let _e3627 = ((1f - _e2834.u) - _e2834.v);
             if (_e2834.triangle < _e83) {
@@ -3211,11 +3211,11 @@ fn function_() {
             phi_4532_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e3807 = phi_4532_;
-        if (_e113.first_primitive < arrayLength((&past.member))) {
+        if (_e113.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e113.first_primitive)] = vec4<f32>(_e3807.x, _e3807.y, _e3807.z, 1f);
+        past.member[(0u + _e113.shift)] = vec4<f32>(_e3807.x, _e3807.y, _e3807.z, 1f);
     }
     return;
 }

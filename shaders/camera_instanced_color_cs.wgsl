@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_43 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -175,19 +175,19 @@ var<storage> instances: type_57;
 @group(0) @binding(7) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_216_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_216_: lt_mask_LightPlace;
     var phi_217_: bool;
-    var phi_218_: lt_bvh_traverse_Tree;
+    var phi_218_: lt_mask_LightPlace;
     var phi_219_: bool;
-    var phi_224_: lt_bvh_traverse_Tree;
+    var phi_224_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_216_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_216_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_217_ = false;
         } else {
-            phi_216_ = lt_bvh_traverse_Tree();
+            phi_216_ = lt_mask_LightPlace();
             phi_217_ = true;
         }
         let _e82 = phi_216_;
@@ -195,18 +195,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_218_ = _e82;
         phi_219_ = _e84;
     } else {
-        phi_218_ = lt_bvh_traverse_Tree();
+        phi_218_ = lt_mask_LightPlace();
         phi_219_ = true;
     }
     let _e86 = phi_218_;
     let _e88 = phi_219_;
     if _e88 {
-        phi_224_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_224_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_224_ = _e86;
     }
     let _e93 = phi_224_;
-    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+    return lt_mask_LightPlace(_e93.word, _e93.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -923,7 +923,7 @@ fn function_() {
     let _e97 = p.member.size[0u];
     let _e99 = p.member.size[1u];
     let _e100 = lt_shaders_entry_pixel_index(_e72, _e97, _e99);
-    if (bitcast<i32>(_e100.root) != 0i) {
+    if (bitcast<i32>(_e100.word) != 0i) {
         let _e106 = p.member.root;
         let _e110 = p.member.eye;
         let _e115 = p.member.size[0u];
@@ -1217,41 +1217,41 @@ fn function_() {
                         let _e586 = ((bitcast<f32>(_e576) - _e157.origin.z) * _e332);
                         let _e594 = nodes.member[(0u + _e527)].x;
                         if (_e310 < 0f) {
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.unnamed.root, _e594.w), _e605.unnamed_1);
-                            let _e617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_bvh_traverse_Tree(_e594.x, _e611.unnamed_1.first_primitive));
-                            phi_1237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e617.unnamed, lt_bvh_traverse_Tree(_e617.unnamed_1.root, _e594.y));
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e605.unnamed.word, _e594.w), _e605.unnamed_1);
+                            let _e617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_mask_LightPlace(_e594.x, _e611.unnamed_1.shift));
+                            phi_1237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e617.unnamed, lt_mask_LightPlace(_e617.unnamed_1.word, _e594.y));
                         } else {
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.unnamed.root, _e594.y), _e633.unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_bvh_traverse_Tree(_e594.z, _e639.unnamed_1.first_primitive));
-                            phi_1237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_bvh_traverse_Tree(_e645.unnamed_1.root, _e594.w));
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e633.unnamed.word, _e594.y), _e633.unnamed_1);
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_mask_LightPlace(_e594.z, _e639.unnamed_1.shift));
+                            phi_1237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e645.unnamed_1.word, _e594.w));
                         }
                         let _e653 = phi_1237_;
                         let _e663 = nodes.member[(0u + _e527)].y;
                         if (_e321 < 0f) {
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.unnamed.root, _e663.w), _e674.unnamed_1);
-                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e663.x, _e680.unnamed_1.first_primitive));
-                            phi_1264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_bvh_traverse_Tree(_e686.unnamed_1.root, _e663.y));
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.unnamed.word, _e663.w), _e674.unnamed_1);
+                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e663.x, _e680.unnamed_1.shift));
+                            phi_1264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_mask_LightPlace(_e686.unnamed_1.word, _e663.y));
                         } else {
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.unnamed.root, _e663.y), _e702.unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_bvh_traverse_Tree(_e663.z, _e708.unnamed_1.first_primitive));
-                            phi_1264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e714.unnamed_1.root, _e663.w));
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.unnamed.word, _e663.y), _e702.unnamed_1);
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_mask_LightPlace(_e663.z, _e708.unnamed_1.shift));
+                            phi_1264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e714.unnamed_1.word, _e663.w));
                         }
                         let _e722 = phi_1264_;
                         let _e732 = nodes.member[(0u + _e527)].z;
                         if (_e332 < 0f) {
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.unnamed.root, _e732.w), _e743.unnamed_1);
-                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e732.x, _e749.unnamed_1.first_primitive));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_bvh_traverse_Tree(_e755.unnamed_1.root, _e732.y));
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.unnamed.word, _e732.w), _e743.unnamed_1);
+                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e732.x, _e749.unnamed_1.shift));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_mask_LightPlace(_e755.unnamed_1.word, _e732.y));
                         } else {
-                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.unnamed.root, _e732.y), _e771.unnamed_1);
-                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_bvh_traverse_Tree(_e732.z, _e777.unnamed_1.first_primitive));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_bvh_traverse_Tree(_e783.unnamed_1.root, _e732.w));
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.unnamed.word, _e732.y), _e771.unnamed_1);
+                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_mask_LightPlace(_e732.z, _e777.unnamed_1.shift));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e783.unnamed_1.word, _e732.w));
                         }
                         let _e791 = phi_1291_;
                         phi_1297_ = 0u;
@@ -1267,41 +1267,41 @@ fn function_() {
                                 let _e806 = (_e801 >> bitcast<u32>(2i));
                                 let _e807 = (_e801 & 3u);
                                 if (_e806 == 0u) {
-                                    phi_1314_ = _e653.unnamed.root;
+                                    phi_1314_ = _e653.unnamed.word;
                                 } else {
-                                    phi_1314_ = _e653.unnamed.first_primitive;
+                                    phi_1314_ = _e653.unnamed.shift;
                                 }
                                 let _e810 = phi_1314_;
                                 if (_e806 == 0u) {
-                                    phi_1324_ = _e722.unnamed.root;
+                                    phi_1324_ = _e722.unnamed.word;
                                 } else {
-                                    phi_1324_ = _e722.unnamed.first_primitive;
+                                    phi_1324_ = _e722.unnamed.shift;
                                 }
                                 let _e819 = phi_1324_;
                                 if (_e806 == 0u) {
-                                    phi_1334_ = _e791.unnamed.root;
+                                    phi_1334_ = _e791.unnamed.word;
                                 } else {
-                                    phi_1334_ = _e791.unnamed.first_primitive;
+                                    phi_1334_ = _e791.unnamed.shift;
                                 }
                                 let _e828 = phi_1334_;
                                 let _e841 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e810 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e563) + (_e584 - _e369)), ((f32(((_e819 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e564) + (_e585 - _e370)));
                                 let _e842 = core_intrinsics_maximum_number_nsz_f32_(_e841, ((f32(((_e828 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e565) + (_e586 - _e371)));
                                 if (_e806 == 0u) {
-                                    phi_1352_ = _e653.unnamed_1.root;
+                                    phi_1352_ = _e653.unnamed_1.word;
                                 } else {
-                                    phi_1352_ = _e653.unnamed_1.first_primitive;
+                                    phi_1352_ = _e653.unnamed_1.shift;
                                 }
                                 let _e845 = phi_1352_;
                                 if (_e806 == 0u) {
-                                    phi_1362_ = _e722.unnamed_1.root;
+                                    phi_1362_ = _e722.unnamed_1.word;
                                 } else {
-                                    phi_1362_ = _e722.unnamed_1.first_primitive;
+                                    phi_1362_ = _e722.unnamed_1.shift;
                                 }
                                 let _e854 = phi_1362_;
                                 if (_e806 == 0u) {
-                                    phi_1372_ = _e791.unnamed_1.root;
+                                    phi_1372_ = _e791.unnamed_1.word;
                                 } else {
-                                    phi_1372_ = _e791.unnamed_1.first_primitive;
+                                    phi_1372_ = _e791.unnamed_1.shift;
                                 }
                                 let _e863 = phi_1372_;
                                 let _e876 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e845 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e563) + (_e584 + _e369)), ((f32(((_e854 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e564) + (_e585 + _e370)));
@@ -1793,41 +1793,41 @@ fn function_() {
                                                             let _e1570 = ((bitcast<f32>(_e1563) - _e1090) * _e1299);
                                                             let _e1578 = nodes.member[(0u + _e1517)].x;
                                                             if (_e1279 < 0f) {
-                                                                let _e1589 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1578.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.unnamed.root, _e1578.w), _e1589.unnamed_1);
-                                                                let _e1601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1595.unnamed, lt_bvh_traverse_Tree(_e1578.x, _e1595.unnamed_1.first_primitive));
-                                                                phi_2196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1601.unnamed, lt_bvh_traverse_Tree(_e1601.unnamed_1.root, _e1578.y));
+                                                                let _e1589 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1578.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1589.unnamed.word, _e1578.w), _e1589.unnamed_1);
+                                                                let _e1601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1595.unnamed, lt_mask_LightPlace(_e1578.x, _e1595.unnamed_1.shift));
+                                                                phi_2196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1601.unnamed, lt_mask_LightPlace(_e1601.unnamed_1.word, _e1578.y));
                                                             } else {
-                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1578.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1617.unnamed.root, _e1578.y), _e1617.unnamed_1);
-                                                                let _e1629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1623.unnamed, lt_bvh_traverse_Tree(_e1578.z, _e1623.unnamed_1.first_primitive));
-                                                                phi_2196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1629.unnamed, lt_bvh_traverse_Tree(_e1629.unnamed_1.root, _e1578.w));
+                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1578.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1617.unnamed.word, _e1578.y), _e1617.unnamed_1);
+                                                                let _e1629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1623.unnamed, lt_mask_LightPlace(_e1578.z, _e1623.unnamed_1.shift));
+                                                                phi_2196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1629.unnamed, lt_mask_LightPlace(_e1629.unnamed_1.word, _e1578.w));
                                                             }
                                                             let _e1637 = phi_2196_;
                                                             let _e1647 = nodes.member[(0u + _e1517)].y;
                                                             if (_e1289 < 0f) {
-                                                                let _e1658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1647.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.unnamed.root, _e1647.w), _e1658.unnamed_1);
-                                                                let _e1670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1664.unnamed, lt_bvh_traverse_Tree(_e1647.x, _e1664.unnamed_1.first_primitive));
-                                                                phi_2223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1670.unnamed, lt_bvh_traverse_Tree(_e1670.unnamed_1.root, _e1647.y));
+                                                                let _e1658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1647.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1658.unnamed.word, _e1647.w), _e1658.unnamed_1);
+                                                                let _e1670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1664.unnamed, lt_mask_LightPlace(_e1647.x, _e1664.unnamed_1.shift));
+                                                                phi_2223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1670.unnamed, lt_mask_LightPlace(_e1670.unnamed_1.word, _e1647.y));
                                                             } else {
-                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1647.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1686.unnamed.root, _e1647.y), _e1686.unnamed_1);
-                                                                let _e1698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1692.unnamed, lt_bvh_traverse_Tree(_e1647.z, _e1692.unnamed_1.first_primitive));
-                                                                phi_2223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1698.unnamed, lt_bvh_traverse_Tree(_e1698.unnamed_1.root, _e1647.w));
+                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1647.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1686.unnamed.word, _e1647.y), _e1686.unnamed_1);
+                                                                let _e1698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1692.unnamed, lt_mask_LightPlace(_e1647.z, _e1692.unnamed_1.shift));
+                                                                phi_2223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1698.unnamed, lt_mask_LightPlace(_e1698.unnamed_1.word, _e1647.w));
                                                             }
                                                             let _e1706 = phi_2223_;
                                                             let _e1716 = nodes.member[(0u + _e1517)].z;
                                                             if (_e1299 < 0f) {
-                                                                let _e1727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1716.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1727.unnamed.root, _e1716.w), _e1727.unnamed_1);
-                                                                let _e1739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1733.unnamed, lt_bvh_traverse_Tree(_e1716.x, _e1733.unnamed_1.first_primitive));
-                                                                phi_2250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1739.unnamed, lt_bvh_traverse_Tree(_e1739.unnamed_1.root, _e1716.y));
+                                                                let _e1727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1716.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1727.unnamed.word, _e1716.w), _e1727.unnamed_1);
+                                                                let _e1739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1733.unnamed, lt_mask_LightPlace(_e1716.x, _e1733.unnamed_1.shift));
+                                                                phi_2250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1739.unnamed, lt_mask_LightPlace(_e1739.unnamed_1.word, _e1716.y));
                                                             } else {
-                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1716.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1755.unnamed.root, _e1716.y), _e1755.unnamed_1);
-                                                                let _e1767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1761.unnamed, lt_bvh_traverse_Tree(_e1716.z, _e1761.unnamed_1.first_primitive));
-                                                                phi_2250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1767.unnamed, lt_bvh_traverse_Tree(_e1767.unnamed_1.root, _e1716.w));
+                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1716.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1755.unnamed.word, _e1716.y), _e1755.unnamed_1);
+                                                                let _e1767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1761.unnamed, lt_mask_LightPlace(_e1716.z, _e1761.unnamed_1.shift));
+                                                                phi_2250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1767.unnamed, lt_mask_LightPlace(_e1767.unnamed_1.word, _e1716.w));
                                                             }
                                                             let _e1775 = phi_2250_;
                                                             phi_2256_ = 0u;
@@ -1843,41 +1843,41 @@ fn function_() {
                                                                     let _e1790 = (_e1785 >> bitcast<u32>(2i));
                                                                     let _e1791 = (_e1785 & 3u);
                                                                     if (_e1790 == 0u) {
-                                                                        phi_2273_ = _e1637.unnamed.root;
+                                                                        phi_2273_ = _e1637.unnamed.word;
                                                                     } else {
-                                                                        phi_2273_ = _e1637.unnamed.first_primitive;
+                                                                        phi_2273_ = _e1637.unnamed.shift;
                                                                     }
                                                                     let _e1794 = phi_2273_;
                                                                     if (_e1790 == 0u) {
-                                                                        phi_2283_ = _e1706.unnamed.root;
+                                                                        phi_2283_ = _e1706.unnamed.word;
                                                                     } else {
-                                                                        phi_2283_ = _e1706.unnamed.first_primitive;
+                                                                        phi_2283_ = _e1706.unnamed.shift;
                                                                     }
                                                                     let _e1803 = phi_2283_;
                                                                     if (_e1790 == 0u) {
-                                                                        phi_2293_ = _e1775.unnamed.root;
+                                                                        phi_2293_ = _e1775.unnamed.word;
                                                                     } else {
-                                                                        phi_2293_ = _e1775.unnamed.first_primitive;
+                                                                        phi_2293_ = _e1775.unnamed.shift;
                                                                     }
                                                                     let _e1812 = phi_2293_;
                                                                     let _e1825 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1794 >> bitcast<u32>(((_e1791 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 - _e1327)), ((f32(((_e1803 >> bitcast<u32>(((_e1791 * 8u) & 31u))) & 255u)) * _e1551) + (_e1569 - _e1328)));
                                                                     let _e1826 = core_intrinsics_maximum_number_nsz_f32_(_e1825, ((f32(((_e1812 >> bitcast<u32>(((_e1791 * 8u) & 31u))) & 255u)) * _e1552) + (_e1570 - _e1329)));
                                                                     if (_e1790 == 0u) {
-                                                                        phi_2311_ = _e1637.unnamed_1.root;
+                                                                        phi_2311_ = _e1637.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1637.unnamed_1.first_primitive;
+                                                                        phi_2311_ = _e1637.unnamed_1.shift;
                                                                     }
                                                                     let _e1829 = phi_2311_;
                                                                     if (_e1790 == 0u) {
-                                                                        phi_2321_ = _e1706.unnamed_1.root;
+                                                                        phi_2321_ = _e1706.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2321_ = _e1706.unnamed_1.first_primitive;
+                                                                        phi_2321_ = _e1706.unnamed_1.shift;
                                                                     }
                                                                     let _e1838 = phi_2321_;
                                                                     if (_e1790 == 0u) {
-                                                                        phi_2331_ = _e1775.unnamed_1.root;
+                                                                        phi_2331_ = _e1775.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2331_ = _e1775.unnamed_1.first_primitive;
+                                                                        phi_2331_ = _e1775.unnamed_1.shift;
                                                                     }
                                                                     let _e1847 = phi_2331_;
                                                                     let _e1860 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1829 >> bitcast<u32>(((_e1791 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 + _e1327)), ((f32(((_e1838 >> bitcast<u32>(((_e1791 * 8u) & 31u))) & 255u)) * _e1551) + (_e1569 + _e1328)));
@@ -3062,11 +3062,11 @@ fn function_() {
             phi_4084_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3419 = phi_4084_;
-        if (_e100.first_primitive < arrayLength((&samples.member))) {
+        if (_e100.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e100.first_primitive)] = _e3419;
+        samples.member[(0u + _e100.shift)] = _e3419;
     }
     return;
 }

@@ -24,9 +24,9 @@ struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -91,8 +91,8 @@ struct type_38 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -152,19 +152,19 @@ var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
 var<storage> instances: type_51;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_197_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_197_: lt_mask_LightPlace;
     var phi_198_: bool;
-    var phi_199_: lt_bvh_traverse_Tree;
+    var phi_199_: lt_mask_LightPlace;
     var phi_200_: bool;
-    var phi_205_: lt_bvh_traverse_Tree;
+    var phi_205_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_197_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_197_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_198_ = false;
         } else {
-            phi_197_ = lt_bvh_traverse_Tree();
+            phi_197_ = lt_mask_LightPlace();
             phi_198_ = true;
         }
         let _e74 = phi_197_;
@@ -172,18 +172,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_199_ = _e74;
         phi_200_ = _e76;
     } else {
-        phi_199_ = lt_bvh_traverse_Tree();
+        phi_199_ = lt_mask_LightPlace();
         phi_200_ = true;
     }
     let _e78 = phi_199_;
     let _e80 = phi_200_;
     if _e80 {
-        phi_205_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_205_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_205_ = _e78;
     }
     let _e85 = phi_205_;
-    return lt_bvh_traverse_Tree(_e85.root, _e85.first_primitive);
+    return lt_mask_LightPlace(_e85.word, _e85.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -552,7 +552,7 @@ fn function_() {
     let _e85 = p.member.size[0u];
     let _e87 = p.member.size[1u];
     let _e88 = lt_shaders_entry_pixel_index(_e63, _e85, _e87);
-    if (bitcast<i32>(_e88.root) != 0i) {
+    if (bitcast<i32>(_e88.word) != 0i) {
         let _e94 = p.member.root;
         let _e98 = p.member.eye;
         let _e103 = p.member.size[0u];
@@ -846,41 +846,41 @@ fn function_() {
                         let _e574 = ((bitcast<f32>(_e564) - _e145.origin.z) * _e320);
                         let _e582 = nodes.member[(0u + _e515)].x;
                         if (_e298 < 0f) {
-                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e582.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.unnamed.root, _e582.w), _e593.unnamed_1);
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_bvh_traverse_Tree(_e582.x, _e599.unnamed_1.first_primitive));
-                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e605.unnamed_1.root, _e582.y));
+                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e582.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e593.unnamed.word, _e582.w), _e593.unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_mask_LightPlace(_e582.x, _e599.unnamed_1.shift));
+                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_mask_LightPlace(_e605.unnamed_1.word, _e582.y));
                         } else {
-                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e582.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e621.unnamed.root, _e582.y), _e621.unnamed_1);
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_bvh_traverse_Tree(_e582.z, _e627.unnamed_1.first_primitive));
-                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_bvh_traverse_Tree(_e633.unnamed_1.root, _e582.w));
+                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e582.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e621.unnamed.word, _e582.y), _e621.unnamed_1);
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_mask_LightPlace(_e582.z, _e627.unnamed_1.shift));
+                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_mask_LightPlace(_e633.unnamed_1.word, _e582.w));
                         }
                         let _e641 = phi_846_;
                         let _e651 = nodes.member[(0u + _e515)].y;
                         if (_e309 < 0f) {
-                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e651.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.unnamed.root, _e651.w), _e662.unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e651.x, _e668.unnamed_1.first_primitive));
-                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e674.unnamed_1.root, _e651.y));
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e651.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.unnamed.word, _e651.w), _e662.unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_mask_LightPlace(_e651.x, _e668.unnamed_1.shift));
+                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e674.unnamed_1.word, _e651.y));
                         } else {
-                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e651.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.unnamed.root, _e651.y), _e690.unnamed_1);
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_bvh_traverse_Tree(_e651.z, _e696.unnamed_1.first_primitive));
-                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_bvh_traverse_Tree(_e702.unnamed_1.root, _e651.w));
+                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e651.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e690.unnamed.word, _e651.y), _e690.unnamed_1);
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_mask_LightPlace(_e651.z, _e696.unnamed_1.shift));
+                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_mask_LightPlace(_e702.unnamed_1.word, _e651.w));
                         }
                         let _e710 = phi_873_;
                         let _e720 = nodes.member[(0u + _e515)].z;
                         if (_e320 < 0f) {
-                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.unnamed.root, _e720.w), _e731.unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e720.x, _e737.unnamed_1.first_primitive));
-                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e743.unnamed_1.root, _e720.y));
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e720.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.unnamed.word, _e720.w), _e731.unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e720.x, _e737.unnamed_1.shift));
+                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e743.unnamed_1.word, _e720.y));
                         } else {
-                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.unnamed.root, _e720.y), _e759.unnamed_1);
-                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_bvh_traverse_Tree(_e720.z, _e765.unnamed_1.first_primitive));
-                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_bvh_traverse_Tree(_e771.unnamed_1.root, _e720.w));
+                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e720.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e759.unnamed.word, _e720.y), _e759.unnamed_1);
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_mask_LightPlace(_e720.z, _e765.unnamed_1.shift));
+                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_mask_LightPlace(_e771.unnamed_1.word, _e720.w));
                         }
                         let _e779 = phi_900_;
                         phi_906_ = 0u;
@@ -896,41 +896,41 @@ fn function_() {
                                 let _e794 = (_e789 >> bitcast<u32>(2i));
                                 let _e795 = (_e789 & 3u);
                                 if (_e794 == 0u) {
-                                    phi_923_ = _e641.unnamed.root;
+                                    phi_923_ = _e641.unnamed.word;
                                 } else {
-                                    phi_923_ = _e641.unnamed.first_primitive;
+                                    phi_923_ = _e641.unnamed.shift;
                                 }
                                 let _e798 = phi_923_;
                                 if (_e794 == 0u) {
-                                    phi_933_ = _e710.unnamed.root;
+                                    phi_933_ = _e710.unnamed.word;
                                 } else {
-                                    phi_933_ = _e710.unnamed.first_primitive;
+                                    phi_933_ = _e710.unnamed.shift;
                                 }
                                 let _e807 = phi_933_;
                                 if (_e794 == 0u) {
-                                    phi_943_ = _e779.unnamed.root;
+                                    phi_943_ = _e779.unnamed.word;
                                 } else {
-                                    phi_943_ = _e779.unnamed.first_primitive;
+                                    phi_943_ = _e779.unnamed.shift;
                                 }
                                 let _e816 = phi_943_;
                                 let _e829 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e798 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e551) + (_e572 - _e357)), ((f32(((_e807 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e552) + (_e573 - _e358)));
                                 let _e830 = core_intrinsics_maximum_number_nsz_f32_(_e829, ((f32(((_e816 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e553) + (_e574 - _e359)));
                                 if (_e794 == 0u) {
-                                    phi_961_ = _e641.unnamed_1.root;
+                                    phi_961_ = _e641.unnamed_1.word;
                                 } else {
-                                    phi_961_ = _e641.unnamed_1.first_primitive;
+                                    phi_961_ = _e641.unnamed_1.shift;
                                 }
                                 let _e833 = phi_961_;
                                 if (_e794 == 0u) {
-                                    phi_971_ = _e710.unnamed_1.root;
+                                    phi_971_ = _e710.unnamed_1.word;
                                 } else {
-                                    phi_971_ = _e710.unnamed_1.first_primitive;
+                                    phi_971_ = _e710.unnamed_1.shift;
                                 }
                                 let _e842 = phi_971_;
                                 if (_e794 == 0u) {
-                                    phi_981_ = _e779.unnamed_1.root;
+                                    phi_981_ = _e779.unnamed_1.word;
                                 } else {
-                                    phi_981_ = _e779.unnamed_1.first_primitive;
+                                    phi_981_ = _e779.unnamed_1.shift;
                                 }
                                 let _e851 = phi_981_;
                                 let _e864 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e833 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e551) + (_e572 + _e357)), ((f32(((_e842 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e552) + (_e573 + _e358)));
@@ -1422,41 +1422,41 @@ fn function_() {
                                                             let _e1558 = ((bitcast<f32>(_e1551) - _e1078) * _e1287);
                                                             let _e1566 = nodes.member[(0u + _e1505)].x;
                                                             if (_e1267 < 0f) {
-                                                                let _e1577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1566.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1577.unnamed.root, _e1566.w), _e1577.unnamed_1);
-                                                                let _e1589 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1583.unnamed, lt_bvh_traverse_Tree(_e1566.x, _e1583.unnamed_1.first_primitive));
-                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1589.unnamed, lt_bvh_traverse_Tree(_e1589.unnamed_1.root, _e1566.y));
+                                                                let _e1577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1566.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1577.unnamed.word, _e1566.w), _e1577.unnamed_1);
+                                                                let _e1589 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1583.unnamed, lt_mask_LightPlace(_e1566.x, _e1583.unnamed_1.shift));
+                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1589.unnamed, lt_mask_LightPlace(_e1589.unnamed_1.word, _e1566.y));
                                                             } else {
-                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1566.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1605.unnamed.root, _e1566.y), _e1605.unnamed_1);
-                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_bvh_traverse_Tree(_e1566.z, _e1611.unnamed_1.first_primitive));
-                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_bvh_traverse_Tree(_e1617.unnamed_1.root, _e1566.w));
+                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1566.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1605.unnamed.word, _e1566.y), _e1605.unnamed_1);
+                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_mask_LightPlace(_e1566.z, _e1611.unnamed_1.shift));
+                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_mask_LightPlace(_e1617.unnamed_1.word, _e1566.w));
                                                             }
                                                             let _e1625 = phi_1805_;
                                                             let _e1635 = nodes.member[(0u + _e1505)].y;
                                                             if (_e1277 < 0f) {
-                                                                let _e1646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1635.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1646.unnamed.root, _e1635.w), _e1646.unnamed_1);
-                                                                let _e1658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1652.unnamed, lt_bvh_traverse_Tree(_e1635.x, _e1652.unnamed_1.first_primitive));
-                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1658.unnamed, lt_bvh_traverse_Tree(_e1658.unnamed_1.root, _e1635.y));
+                                                                let _e1646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1635.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1646.unnamed.word, _e1635.w), _e1646.unnamed_1);
+                                                                let _e1658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1652.unnamed, lt_mask_LightPlace(_e1635.x, _e1652.unnamed_1.shift));
+                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1658.unnamed, lt_mask_LightPlace(_e1658.unnamed_1.word, _e1635.y));
                                                             } else {
-                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1635.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1674.unnamed.root, _e1635.y), _e1674.unnamed_1);
-                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_bvh_traverse_Tree(_e1635.z, _e1680.unnamed_1.first_primitive));
-                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_bvh_traverse_Tree(_e1686.unnamed_1.root, _e1635.w));
+                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1635.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1674.unnamed.word, _e1635.y), _e1674.unnamed_1);
+                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_mask_LightPlace(_e1635.z, _e1680.unnamed_1.shift));
+                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_mask_LightPlace(_e1686.unnamed_1.word, _e1635.w));
                                                             }
                                                             let _e1694 = phi_1832_;
                                                             let _e1704 = nodes.member[(0u + _e1505)].z;
                                                             if (_e1287 < 0f) {
-                                                                let _e1715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1704.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1715.unnamed.root, _e1704.w), _e1715.unnamed_1);
-                                                                let _e1727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1721.unnamed, lt_bvh_traverse_Tree(_e1704.x, _e1721.unnamed_1.first_primitive));
-                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1727.unnamed, lt_bvh_traverse_Tree(_e1727.unnamed_1.root, _e1704.y));
+                                                                let _e1715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1704.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1715.unnamed.word, _e1704.w), _e1715.unnamed_1);
+                                                                let _e1727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1721.unnamed, lt_mask_LightPlace(_e1704.x, _e1721.unnamed_1.shift));
+                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1727.unnamed, lt_mask_LightPlace(_e1727.unnamed_1.word, _e1704.y));
                                                             } else {
-                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1704.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1743.unnamed.root, _e1704.y), _e1743.unnamed_1);
-                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1749.unnamed, lt_bvh_traverse_Tree(_e1704.z, _e1749.unnamed_1.first_primitive));
-                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1755.unnamed, lt_bvh_traverse_Tree(_e1755.unnamed_1.root, _e1704.w));
+                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1704.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1743.unnamed.word, _e1704.y), _e1743.unnamed_1);
+                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1749.unnamed, lt_mask_LightPlace(_e1704.z, _e1749.unnamed_1.shift));
+                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1755.unnamed, lt_mask_LightPlace(_e1755.unnamed_1.word, _e1704.w));
                                                             }
                                                             let _e1763 = phi_1859_;
                                                             phi_1865_ = 0u;
@@ -1472,41 +1472,41 @@ fn function_() {
                                                                     let _e1778 = (_e1773 >> bitcast<u32>(2i));
                                                                     let _e1779 = (_e1773 & 3u);
                                                                     if (_e1778 == 0u) {
-                                                                        phi_1882_ = _e1625.unnamed.root;
+                                                                        phi_1882_ = _e1625.unnamed.word;
                                                                     } else {
-                                                                        phi_1882_ = _e1625.unnamed.first_primitive;
+                                                                        phi_1882_ = _e1625.unnamed.shift;
                                                                     }
                                                                     let _e1782 = phi_1882_;
                                                                     if (_e1778 == 0u) {
-                                                                        phi_1892_ = _e1694.unnamed.root;
+                                                                        phi_1892_ = _e1694.unnamed.word;
                                                                     } else {
-                                                                        phi_1892_ = _e1694.unnamed.first_primitive;
+                                                                        phi_1892_ = _e1694.unnamed.shift;
                                                                     }
                                                                     let _e1791 = phi_1892_;
                                                                     if (_e1778 == 0u) {
-                                                                        phi_1902_ = _e1763.unnamed.root;
+                                                                        phi_1902_ = _e1763.unnamed.word;
                                                                     } else {
-                                                                        phi_1902_ = _e1763.unnamed.first_primitive;
+                                                                        phi_1902_ = _e1763.unnamed.shift;
                                                                     }
                                                                     let _e1800 = phi_1902_;
                                                                     let _e1813 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1782 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u)) * _e1538) + (_e1556 - _e1315)), ((f32(((_e1791 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u)) * _e1539) + (_e1557 - _e1316)));
                                                                     let _e1814 = core_intrinsics_maximum_number_nsz_f32_(_e1813, ((f32(((_e1800 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u)) * _e1540) + (_e1558 - _e1317)));
                                                                     if (_e1778 == 0u) {
-                                                                        phi_1920_ = _e1625.unnamed_1.root;
+                                                                        phi_1920_ = _e1625.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1920_ = _e1625.unnamed_1.first_primitive;
+                                                                        phi_1920_ = _e1625.unnamed_1.shift;
                                                                     }
                                                                     let _e1817 = phi_1920_;
                                                                     if (_e1778 == 0u) {
-                                                                        phi_1930_ = _e1694.unnamed_1.root;
+                                                                        phi_1930_ = _e1694.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1930_ = _e1694.unnamed_1.first_primitive;
+                                                                        phi_1930_ = _e1694.unnamed_1.shift;
                                                                     }
                                                                     let _e1826 = phi_1930_;
                                                                     if (_e1778 == 0u) {
-                                                                        phi_1940_ = _e1763.unnamed_1.root;
+                                                                        phi_1940_ = _e1763.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1940_ = _e1763.unnamed_1.first_primitive;
+                                                                        phi_1940_ = _e1763.unnamed_1.shift;
                                                                     }
                                                                     let _e1835 = phi_1940_;
                                                                     let _e1848 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1817 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u)) * _e1538) + (_e1556 + _e1315)), ((f32(((_e1826 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u)) * _e1539) + (_e1557 + _e1316)));
@@ -2655,11 +2655,11 @@ fn function_() {
             phi_3557_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3263 = phi_3557_;
-        if (_e88.first_primitive < arrayLength((&samples.member))) {
+        if (_e88.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e88.first_primitive)] = _e3263;
+        samples.member[(0u + _e88.shift)] = _e3263;
     }
     return;
 }

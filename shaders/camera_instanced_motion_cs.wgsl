@@ -24,9 +24,9 @@ struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_22 {
@@ -95,8 +95,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -160,19 +160,19 @@ var<storage> before: type_22;
 @group(0) @binding(8) 
 var<storage, read_write> past: type_22;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_203_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_203_: lt_mask_LightPlace;
     var phi_204_: bool;
-    var phi_205_: lt_bvh_traverse_Tree;
+    var phi_205_: lt_mask_LightPlace;
     var phi_206_: bool;
-    var phi_211_: lt_bvh_traverse_Tree;
+    var phi_211_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_203_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_203_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_204_ = false;
         } else {
-            phi_203_ = lt_bvh_traverse_Tree();
+            phi_203_ = lt_mask_LightPlace();
             phi_204_ = true;
         }
         let _e76 = phi_203_;
@@ -180,18 +180,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_205_ = _e76;
         phi_206_ = _e78;
     } else {
-        phi_205_ = lt_bvh_traverse_Tree();
+        phi_205_ = lt_mask_LightPlace();
         phi_206_ = true;
     }
     let _e80 = phi_205_;
     let _e82 = phi_206_;
     if _e82 {
-        phi_211_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_211_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_211_ = _e80;
     }
     let _e87 = phi_211_;
-    return lt_bvh_traverse_Tree(_e87.root, _e87.first_primitive);
+    return lt_mask_LightPlace(_e87.word, _e87.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -562,7 +562,7 @@ fn function_() {
     let _e93 = p.member.size[0u];
     let _e95 = p.member.size[1u];
     let _e96 = lt_shaders_entry_pixel_index(_e65, _e93, _e95);
-    if (bitcast<i32>(_e96.root) != 0i) {
+    if (bitcast<i32>(_e96.word) != 0i) {
         let _e102 = p.member.root;
         let _e106 = p.member.eye;
         let _e111 = p.member.size[0u];
@@ -856,41 +856,41 @@ fn function_() {
                         let _e582 = ((bitcast<f32>(_e572) - _e153.origin.z) * _e328);
                         let _e590 = nodes.member[(0u + _e523)].x;
                         if (_e306 < 0f) {
-                            let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e590.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e601.unnamed.root, _e590.w), _e601.unnamed_1);
-                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_bvh_traverse_Tree(_e590.x, _e607.unnamed_1.first_primitive));
-                            phi_856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e613.unnamed, lt_bvh_traverse_Tree(_e613.unnamed_1.root, _e590.y));
+                            let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e590.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e601.unnamed.word, _e590.w), _e601.unnamed_1);
+                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_mask_LightPlace(_e590.x, _e607.unnamed_1.shift));
+                            phi_856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e613.unnamed, lt_mask_LightPlace(_e613.unnamed_1.word, _e590.y));
                         } else {
-                            let _e629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e590.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.unnamed.root, _e590.y), _e629.unnamed_1);
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e635.unnamed, lt_bvh_traverse_Tree(_e590.z, _e635.unnamed_1.first_primitive));
-                            phi_856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_bvh_traverse_Tree(_e641.unnamed_1.root, _e590.w));
+                            let _e629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e590.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e629.unnamed.word, _e590.y), _e629.unnamed_1);
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e635.unnamed, lt_mask_LightPlace(_e590.z, _e635.unnamed_1.shift));
+                            phi_856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_mask_LightPlace(_e641.unnamed_1.word, _e590.w));
                         }
                         let _e649 = phi_856_;
                         let _e659 = nodes.member[(0u + _e523)].y;
                         if (_e317 < 0f) {
-                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e659.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e670.unnamed.root, _e659.w), _e670.unnamed_1);
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_bvh_traverse_Tree(_e659.x, _e676.unnamed_1.first_primitive));
-                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_bvh_traverse_Tree(_e682.unnamed_1.root, _e659.y));
+                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e659.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e670.unnamed.word, _e659.w), _e670.unnamed_1);
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_mask_LightPlace(_e659.x, _e676.unnamed_1.shift));
+                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_mask_LightPlace(_e682.unnamed_1.word, _e659.y));
                         } else {
-                            let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e659.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.unnamed.root, _e659.y), _e698.unnamed_1);
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_bvh_traverse_Tree(_e659.z, _e704.unnamed_1.first_primitive));
-                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_bvh_traverse_Tree(_e710.unnamed_1.root, _e659.w));
+                            let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e659.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.unnamed.word, _e659.y), _e698.unnamed_1);
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_mask_LightPlace(_e659.z, _e704.unnamed_1.shift));
+                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_mask_LightPlace(_e710.unnamed_1.word, _e659.w));
                         }
                         let _e718 = phi_883_;
                         let _e728 = nodes.member[(0u + _e523)].z;
                         if (_e328 < 0f) {
-                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e728.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e739.unnamed.root, _e728.w), _e739.unnamed_1);
-                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_bvh_traverse_Tree(_e728.x, _e745.unnamed_1.first_primitive));
-                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_bvh_traverse_Tree(_e751.unnamed_1.root, _e728.y));
+                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e728.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e739.unnamed.word, _e728.w), _e739.unnamed_1);
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_mask_LightPlace(_e728.x, _e745.unnamed_1.shift));
+                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_mask_LightPlace(_e751.unnamed_1.word, _e728.y));
                         } else {
-                            let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e728.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e767.unnamed.root, _e728.y), _e767.unnamed_1);
-                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_bvh_traverse_Tree(_e728.z, _e773.unnamed_1.first_primitive));
-                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_bvh_traverse_Tree(_e779.unnamed_1.root, _e728.w));
+                            let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e728.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e767.unnamed.word, _e728.y), _e767.unnamed_1);
+                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_mask_LightPlace(_e728.z, _e773.unnamed_1.shift));
+                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_mask_LightPlace(_e779.unnamed_1.word, _e728.w));
                         }
                         let _e787 = phi_910_;
                         phi_916_ = 0u;
@@ -906,41 +906,41 @@ fn function_() {
                                 let _e802 = (_e797 >> bitcast<u32>(2i));
                                 let _e803 = (_e797 & 3u);
                                 if (_e802 == 0u) {
-                                    phi_933_ = _e649.unnamed.root;
+                                    phi_933_ = _e649.unnamed.word;
                                 } else {
-                                    phi_933_ = _e649.unnamed.first_primitive;
+                                    phi_933_ = _e649.unnamed.shift;
                                 }
                                 let _e806 = phi_933_;
                                 if (_e802 == 0u) {
-                                    phi_943_ = _e718.unnamed.root;
+                                    phi_943_ = _e718.unnamed.word;
                                 } else {
-                                    phi_943_ = _e718.unnamed.first_primitive;
+                                    phi_943_ = _e718.unnamed.shift;
                                 }
                                 let _e815 = phi_943_;
                                 if (_e802 == 0u) {
-                                    phi_953_ = _e787.unnamed.root;
+                                    phi_953_ = _e787.unnamed.word;
                                 } else {
-                                    phi_953_ = _e787.unnamed.first_primitive;
+                                    phi_953_ = _e787.unnamed.shift;
                                 }
                                 let _e824 = phi_953_;
                                 let _e837 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e806 >> bitcast<u32>(((_e803 * 8u) & 31u))) & 255u)) * _e559) + (_e580 - _e365)), ((f32(((_e815 >> bitcast<u32>(((_e803 * 8u) & 31u))) & 255u)) * _e560) + (_e581 - _e366)));
                                 let _e838 = core_intrinsics_maximum_number_nsz_f32_(_e837, ((f32(((_e824 >> bitcast<u32>(((_e803 * 8u) & 31u))) & 255u)) * _e561) + (_e582 - _e367)));
                                 if (_e802 == 0u) {
-                                    phi_971_ = _e649.unnamed_1.root;
+                                    phi_971_ = _e649.unnamed_1.word;
                                 } else {
-                                    phi_971_ = _e649.unnamed_1.first_primitive;
+                                    phi_971_ = _e649.unnamed_1.shift;
                                 }
                                 let _e841 = phi_971_;
                                 if (_e802 == 0u) {
-                                    phi_981_ = _e718.unnamed_1.root;
+                                    phi_981_ = _e718.unnamed_1.word;
                                 } else {
-                                    phi_981_ = _e718.unnamed_1.first_primitive;
+                                    phi_981_ = _e718.unnamed_1.shift;
                                 }
                                 let _e850 = phi_981_;
                                 if (_e802 == 0u) {
-                                    phi_991_ = _e787.unnamed_1.root;
+                                    phi_991_ = _e787.unnamed_1.word;
                                 } else {
-                                    phi_991_ = _e787.unnamed_1.first_primitive;
+                                    phi_991_ = _e787.unnamed_1.shift;
                                 }
                                 let _e859 = phi_991_;
                                 let _e872 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e841 >> bitcast<u32>(((_e803 * 8u) & 31u))) & 255u)) * _e559) + (_e580 + _e365)), ((f32(((_e850 >> bitcast<u32>(((_e803 * 8u) & 31u))) & 255u)) * _e560) + (_e581 + _e366)));
@@ -1432,41 +1432,41 @@ fn function_() {
                                                             let _e1566 = ((bitcast<f32>(_e1559) - _e1086) * _e1295);
                                                             let _e1574 = nodes.member[(0u + _e1513)].x;
                                                             if (_e1275 < 0f) {
-                                                                let _e1585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1574.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.unnamed.root, _e1574.w), _e1585.unnamed_1);
-                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1591.unnamed, lt_bvh_traverse_Tree(_e1574.x, _e1591.unnamed_1.first_primitive));
-                                                                phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1597.unnamed, lt_bvh_traverse_Tree(_e1597.unnamed_1.root, _e1574.y));
+                                                                let _e1585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1574.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1585.unnamed.word, _e1574.w), _e1585.unnamed_1);
+                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1591.unnamed, lt_mask_LightPlace(_e1574.x, _e1591.unnamed_1.shift));
+                                                                phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1597.unnamed, lt_mask_LightPlace(_e1597.unnamed_1.word, _e1574.y));
                                                             } else {
-                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1574.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1613.unnamed.root, _e1574.y), _e1613.unnamed_1);
-                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1619.unnamed, lt_bvh_traverse_Tree(_e1574.z, _e1619.unnamed_1.first_primitive));
-                                                                phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1625.unnamed, lt_bvh_traverse_Tree(_e1625.unnamed_1.root, _e1574.w));
+                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1574.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1613.unnamed.word, _e1574.y), _e1613.unnamed_1);
+                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1619.unnamed, lt_mask_LightPlace(_e1574.z, _e1619.unnamed_1.shift));
+                                                                phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1625.unnamed, lt_mask_LightPlace(_e1625.unnamed_1.word, _e1574.w));
                                                             }
                                                             let _e1633 = phi_1815_;
                                                             let _e1643 = nodes.member[(0u + _e1513)].y;
                                                             if (_e1285 < 0f) {
-                                                                let _e1654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1643.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.unnamed.root, _e1643.w), _e1654.unnamed_1);
-                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1660.unnamed, lt_bvh_traverse_Tree(_e1643.x, _e1660.unnamed_1.first_primitive));
-                                                                phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1666.unnamed, lt_bvh_traverse_Tree(_e1666.unnamed_1.root, _e1643.y));
+                                                                let _e1654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1643.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1654.unnamed.word, _e1643.w), _e1654.unnamed_1);
+                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1660.unnamed, lt_mask_LightPlace(_e1643.x, _e1660.unnamed_1.shift));
+                                                                phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1666.unnamed, lt_mask_LightPlace(_e1666.unnamed_1.word, _e1643.y));
                                                             } else {
-                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1643.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1682.unnamed.root, _e1643.y), _e1682.unnamed_1);
-                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1688.unnamed, lt_bvh_traverse_Tree(_e1643.z, _e1688.unnamed_1.first_primitive));
-                                                                phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1694.unnamed, lt_bvh_traverse_Tree(_e1694.unnamed_1.root, _e1643.w));
+                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1643.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1682.unnamed.word, _e1643.y), _e1682.unnamed_1);
+                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1688.unnamed, lt_mask_LightPlace(_e1643.z, _e1688.unnamed_1.shift));
+                                                                phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1694.unnamed, lt_mask_LightPlace(_e1694.unnamed_1.word, _e1643.w));
                                                             }
                                                             let _e1702 = phi_1842_;
                                                             let _e1712 = nodes.member[(0u + _e1513)].z;
                                                             if (_e1295 < 0f) {
-                                                                let _e1723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1712.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1723.unnamed.root, _e1712.w), _e1723.unnamed_1);
-                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1729.unnamed, lt_bvh_traverse_Tree(_e1712.x, _e1729.unnamed_1.first_primitive));
-                                                                phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1735.unnamed, lt_bvh_traverse_Tree(_e1735.unnamed_1.root, _e1712.y));
+                                                                let _e1723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1712.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1723.unnamed.word, _e1712.w), _e1723.unnamed_1);
+                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1729.unnamed, lt_mask_LightPlace(_e1712.x, _e1729.unnamed_1.shift));
+                                                                phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1735.unnamed, lt_mask_LightPlace(_e1735.unnamed_1.word, _e1712.y));
                                                             } else {
-                                                                let _e1751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1712.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1751.unnamed.root, _e1712.y), _e1751.unnamed_1);
-                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1757.unnamed, lt_bvh_traverse_Tree(_e1712.z, _e1757.unnamed_1.first_primitive));
-                                                                phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1763.unnamed, lt_bvh_traverse_Tree(_e1763.unnamed_1.root, _e1712.w));
+                                                                let _e1751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1712.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1751.unnamed.word, _e1712.y), _e1751.unnamed_1);
+                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1757.unnamed, lt_mask_LightPlace(_e1712.z, _e1757.unnamed_1.shift));
+                                                                phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1763.unnamed, lt_mask_LightPlace(_e1763.unnamed_1.word, _e1712.w));
                                                             }
                                                             let _e1771 = phi_1869_;
                                                             phi_1875_ = 0u;
@@ -1482,41 +1482,41 @@ fn function_() {
                                                                     let _e1786 = (_e1781 >> bitcast<u32>(2i));
                                                                     let _e1787 = (_e1781 & 3u);
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1892_ = _e1633.unnamed.root;
+                                                                        phi_1892_ = _e1633.unnamed.word;
                                                                     } else {
-                                                                        phi_1892_ = _e1633.unnamed.first_primitive;
+                                                                        phi_1892_ = _e1633.unnamed.shift;
                                                                     }
                                                                     let _e1790 = phi_1892_;
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1902_ = _e1702.unnamed.root;
+                                                                        phi_1902_ = _e1702.unnamed.word;
                                                                     } else {
-                                                                        phi_1902_ = _e1702.unnamed.first_primitive;
+                                                                        phi_1902_ = _e1702.unnamed.shift;
                                                                     }
                                                                     let _e1799 = phi_1902_;
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1912_ = _e1771.unnamed.root;
+                                                                        phi_1912_ = _e1771.unnamed.word;
                                                                     } else {
-                                                                        phi_1912_ = _e1771.unnamed.first_primitive;
+                                                                        phi_1912_ = _e1771.unnamed.shift;
                                                                     }
                                                                     let _e1808 = phi_1912_;
                                                                     let _e1821 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1790 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1546) + (_e1564 - _e1323)), ((f32(((_e1799 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1547) + (_e1565 - _e1324)));
                                                                     let _e1822 = core_intrinsics_maximum_number_nsz_f32_(_e1821, ((f32(((_e1808 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 - _e1325)));
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1930_ = _e1633.unnamed_1.root;
+                                                                        phi_1930_ = _e1633.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1930_ = _e1633.unnamed_1.first_primitive;
+                                                                        phi_1930_ = _e1633.unnamed_1.shift;
                                                                     }
                                                                     let _e1825 = phi_1930_;
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1940_ = _e1702.unnamed_1.root;
+                                                                        phi_1940_ = _e1702.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1940_ = _e1702.unnamed_1.first_primitive;
+                                                                        phi_1940_ = _e1702.unnamed_1.shift;
                                                                     }
                                                                     let _e1834 = phi_1940_;
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1950_ = _e1771.unnamed_1.root;
+                                                                        phi_1950_ = _e1771.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1950_ = _e1771.unnamed_1.first_primitive;
+                                                                        phi_1950_ = _e1771.unnamed_1.shift;
                                                                     }
                                                                     let _e1843 = phi_1950_;
                                                                     let _e1856 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1825 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1546) + (_e1564 + _e1323)), ((f32(((_e1834 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1547) + (_e1565 + _e1324)));
@@ -2665,11 +2665,11 @@ fn function_() {
             phi_3567_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3271 = phi_3567_;
-        if (_e96.first_primitive < arrayLength((&samples.member))) {
+        if (_e96.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e96.first_primitive)] = _e3271;
+        samples.member[(0u + _e96.shift)] = _e3271;
         if (_e2631.triangle != 4294967295u) {
             let _e3280 = ((1f - _e2631.u) - _e2631.v);
             if (_e2631.triangle < _e72) {
@@ -2719,11 +2719,11 @@ fn function_() {
             phi_3790_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e3460 = phi_3790_;
-        if (_e96.first_primitive < arrayLength((&past.member))) {
+        if (_e96.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e96.first_primitive)] = vec4<f32>(_e3460.x, _e3460.y, _e3460.z, 1f);
+        past.member[(0u + _e96.shift)] = vec4<f32>(_e3460.x, _e3460.y, _e3460.z, 1f);
     }
     return;
 }

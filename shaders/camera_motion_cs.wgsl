@@ -24,9 +24,9 @@ struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_22 {
@@ -95,8 +95,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -143,19 +143,19 @@ var<storage> before: type_22;
 @group(0) @binding(7) 
 var<storage, read_write> past: type_22;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_193_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_193_: lt_mask_LightPlace;
     var phi_194_: bool;
-    var phi_195_: lt_bvh_traverse_Tree;
+    var phi_195_: lt_mask_LightPlace;
     var phi_196_: bool;
-    var phi_201_: lt_bvh_traverse_Tree;
+    var phi_201_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_193_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_193_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_194_ = false;
         } else {
-            phi_193_ = lt_bvh_traverse_Tree();
+            phi_193_ = lt_mask_LightPlace();
             phi_194_ = true;
         }
         let _e75 = phi_193_;
@@ -163,18 +163,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_195_ = _e75;
         phi_196_ = _e77;
     } else {
-        phi_195_ = lt_bvh_traverse_Tree();
+        phi_195_ = lt_mask_LightPlace();
         phi_196_ = true;
     }
     let _e79 = phi_195_;
     let _e81 = phi_196_;
     if _e81 {
-        phi_201_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_201_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_201_ = _e79;
     }
     let _e86 = phi_201_;
-    return lt_bvh_traverse_Tree(_e86.root, _e86.first_primitive);
+    return lt_mask_LightPlace(_e86.word, _e86.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -465,7 +465,7 @@ fn function_() {
     let _e88 = p.member.size[0u];
     let _e90 = p.member.size[1u];
     let _e91 = lt_shaders_entry_pixel_index(_e63, _e88, _e90);
-    if (bitcast<i32>(_e91.root) != 0i) {
+    if (bitcast<i32>(_e91.word) != 0i) {
         let _e99 = p.member.eye;
         let _e104 = p.member.size[0u];
         let _e108 = ((((f32(_e63.x) + 0.5f) / f32(_e104)) * 2f) - 1f);
@@ -799,41 +799,41 @@ fn function_() {
                         let _e617 = ((bitcast<f32>(_e607) - _e146.origin.z) * _e321);
                         let _e625 = nodes.member[(0u + _e560)].x;
                         if (_e299 < 0f) {
-                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e625.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e636.unnamed.root, _e625.w), _e636.unnamed_1);
-                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_bvh_traverse_Tree(_e625.x, _e642.unnamed_1.first_primitive));
-                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e648.unnamed_1.root, _e625.y));
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e625.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.unnamed.word, _e625.w), _e636.unnamed_1);
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_mask_LightPlace(_e625.x, _e642.unnamed_1.shift));
+                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_mask_LightPlace(_e648.unnamed_1.word, _e625.y));
                         } else {
-                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e625.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e664.unnamed.root, _e625.y), _e664.unnamed_1);
-                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e670.unnamed, lt_bvh_traverse_Tree(_e625.z, _e670.unnamed_1.first_primitive));
-                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_bvh_traverse_Tree(_e676.unnamed_1.root, _e625.w));
+                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e625.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e664.unnamed.word, _e625.y), _e664.unnamed_1);
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e670.unnamed, lt_mask_LightPlace(_e625.z, _e670.unnamed_1.shift));
+                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_mask_LightPlace(_e676.unnamed_1.word, _e625.w));
                         }
                         let _e684 = phi_892_;
                         let _e694 = nodes.member[(0u + _e560)].y;
                         if (_e310 < 0f) {
-                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e694.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e705.unnamed.root, _e694.w), _e705.unnamed_1);
-                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_bvh_traverse_Tree(_e694.x, _e711.unnamed_1.first_primitive));
-                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e717.unnamed_1.root, _e694.y));
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e694.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.unnamed.word, _e694.w), _e705.unnamed_1);
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_mask_LightPlace(_e694.x, _e711.unnamed_1.shift));
+                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_mask_LightPlace(_e717.unnamed_1.word, _e694.y));
                         } else {
-                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e694.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e733.unnamed.root, _e694.y), _e733.unnamed_1);
-                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e694.z, _e739.unnamed_1.first_primitive));
-                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_bvh_traverse_Tree(_e745.unnamed_1.root, _e694.w));
+                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e694.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e733.unnamed.word, _e694.y), _e733.unnamed_1);
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_mask_LightPlace(_e694.z, _e739.unnamed_1.shift));
+                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_mask_LightPlace(_e745.unnamed_1.word, _e694.w));
                         }
                         let _e753 = phi_919_;
                         let _e763 = nodes.member[(0u + _e560)].z;
                         if (_e321 < 0f) {
-                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e763.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e774.unnamed.root, _e763.w), _e774.unnamed_1);
-                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_bvh_traverse_Tree(_e763.x, _e780.unnamed_1.first_primitive));
-                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_bvh_traverse_Tree(_e786.unnamed_1.root, _e763.y));
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e763.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.unnamed.word, _e763.w), _e774.unnamed_1);
+                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_mask_LightPlace(_e763.x, _e780.unnamed_1.shift));
+                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_mask_LightPlace(_e786.unnamed_1.word, _e763.y));
                         } else {
-                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e763.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e802.unnamed.root, _e763.y), _e802.unnamed_1);
-                            let _e814 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e808.unnamed, lt_bvh_traverse_Tree(_e763.z, _e808.unnamed_1.first_primitive));
-                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e814.unnamed, lt_bvh_traverse_Tree(_e814.unnamed_1.root, _e763.w));
+                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e763.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e802.unnamed.word, _e763.y), _e802.unnamed_1);
+                            let _e814 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e808.unnamed, lt_mask_LightPlace(_e763.z, _e808.unnamed_1.shift));
+                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e814.unnamed, lt_mask_LightPlace(_e814.unnamed_1.word, _e763.w));
                         }
                         let _e822 = phi_946_;
                         phi_952_ = 0u;
@@ -849,41 +849,41 @@ fn function_() {
                                 let _e837 = (_e832 >> bitcast<u32>(2i));
                                 let _e838 = (_e832 & 3u);
                                 if (_e837 == 0u) {
-                                    phi_969_ = _e684.unnamed.root;
+                                    phi_969_ = _e684.unnamed.word;
                                 } else {
-                                    phi_969_ = _e684.unnamed.first_primitive;
+                                    phi_969_ = _e684.unnamed.shift;
                                 }
                                 let _e841 = phi_969_;
                                 if (_e837 == 0u) {
-                                    phi_979_ = _e753.unnamed.root;
+                                    phi_979_ = _e753.unnamed.word;
                                 } else {
-                                    phi_979_ = _e753.unnamed.first_primitive;
+                                    phi_979_ = _e753.unnamed.shift;
                                 }
                                 let _e850 = phi_979_;
                                 if (_e837 == 0u) {
-                                    phi_989_ = _e822.unnamed.root;
+                                    phi_989_ = _e822.unnamed.word;
                                 } else {
-                                    phi_989_ = _e822.unnamed.first_primitive;
+                                    phi_989_ = _e822.unnamed.shift;
                                 }
                                 let _e859 = phi_989_;
                                 let _e872 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e841 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u)) * _e594) + (_e615 - _e358)), ((f32(((_e850 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u)) * _e595) + (_e616 - _e359)));
                                 let _e873 = core_intrinsics_maximum_number_nsz_f32_(_e872, ((f32(((_e859 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u)) * _e596) + (_e617 - _e360)));
                                 if (_e837 == 0u) {
-                                    phi_1007_ = _e684.unnamed_1.root;
+                                    phi_1007_ = _e684.unnamed_1.word;
                                 } else {
-                                    phi_1007_ = _e684.unnamed_1.first_primitive;
+                                    phi_1007_ = _e684.unnamed_1.shift;
                                 }
                                 let _e876 = phi_1007_;
                                 if (_e837 == 0u) {
-                                    phi_1017_ = _e753.unnamed_1.root;
+                                    phi_1017_ = _e753.unnamed_1.word;
                                 } else {
-                                    phi_1017_ = _e753.unnamed_1.first_primitive;
+                                    phi_1017_ = _e753.unnamed_1.shift;
                                 }
                                 let _e885 = phi_1017_;
                                 if (_e837 == 0u) {
-                                    phi_1027_ = _e822.unnamed_1.root;
+                                    phi_1027_ = _e822.unnamed_1.word;
                                 } else {
-                                    phi_1027_ = _e822.unnamed_1.first_primitive;
+                                    phi_1027_ = _e822.unnamed_1.shift;
                                 }
                                 let _e894 = phi_1027_;
                                 let _e907 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e876 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u)) * _e594) + (_e615 + _e358)), ((f32(((_e885 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u)) * _e595) + (_e616 + _e359)));
@@ -1893,11 +1893,11 @@ fn function_() {
             phi_2444_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2122 = phi_2444_;
-        if (_e91.first_primitive < arrayLength((&samples.member))) {
+        if (_e91.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e91.first_primitive)] = _e2122;
+        samples.member[(0u + _e91.shift)] = _e2122;
         if (_e1610.triangle != 4294967295u) {
             let _e2131 = ((1f - _e1610.u) - _e1610.v);
             if (_e1610.triangle < _e70) {
@@ -1929,11 +1929,11 @@ fn function_() {
             phi_2535_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2194 = phi_2535_;
-        if (_e91.first_primitive < arrayLength((&past.member))) {
+        if (_e91.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e91.first_primitive)] = vec4<f32>(_e2194.x, _e2194.y, _e2194.z, 1f);
+        past.member[(0u + _e91.shift)] = vec4<f32>(_e2194.x, _e2194.y, _e2194.z, 1f);
     }
     return;
 }

@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -135,8 +136,8 @@ struct type_54 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -176,19 +177,19 @@ var<storage> vertices: type_50;
 @group(0) @binding(6) 
 var<storage> materials: type_54;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_222_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_224_: lt_bvh_traverse_Tree;
+    var phi_224_: lt_mask_LightPlace;
     var phi_225_: bool;
-    var phi_230_: lt_bvh_traverse_Tree;
+    var phi_230_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_222_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_222_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_223_ = false;
         } else {
-            phi_222_ = lt_bvh_traverse_Tree();
+            phi_222_ = lt_mask_LightPlace();
             phi_223_ = true;
         }
         let _e81 = phi_222_;
@@ -196,18 +197,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_224_ = _e81;
         phi_225_ = _e83;
     } else {
-        phi_224_ = lt_bvh_traverse_Tree();
+        phi_224_ = lt_mask_LightPlace();
         phi_225_ = true;
     }
     let _e85 = phi_224_;
     let _e87 = phi_225_;
     if _e87 {
-        phi_230_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_230_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_230_ = _e85;
     }
     let _e92 = phi_230_;
-    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
+    return lt_mask_LightPlace(_e92.word, _e92.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -857,12 +858,12 @@ fn function_() {
     let _e96 = p.member.size[0u];
     let _e98 = p.member.size[1u];
     let _e99 = lt_shaders_entry_pixel_index(_e71, _e96, _e98);
-    if (bitcast<i32>(_e99.root) != 0i) {
-        if (_e99.first_primitive < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e99.word) != 0i) {
+        if (_e99.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e107 = samples.member[(0u + _e99.first_primitive)];
+        let _e107 = samples.member[(0u + _e99.shift)];
         local_2 = abi_Sample(_e107.position, _e107.magnitude, _e107.normal, _e107.flags, _e107.shading_normal, _e107.albedo);
         let _e116 = _lt_shaders_abi_Sample_is_valid((&local_2));
         if _e116 {
@@ -1268,41 +1269,41 @@ fn function_() {
                             let _e708 = ((bitcast<f32>(_e701) - _e263) * _e438);
                             let _e716 = nodes.member[(0u + _e654)].x;
                             if (_e418 < 0f) {
-                                let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e716.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e727.unnamed.root, _e716.w), _e727.unnamed_1);
-                                let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_bvh_traverse_Tree(_e716.x, _e733.unnamed_1.first_primitive));
-                                phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e739.unnamed_1.root, _e716.y));
+                                let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e716.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e727.unnamed.word, _e716.w), _e727.unnamed_1);
+                                let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_mask_LightPlace(_e716.x, _e733.unnamed_1.shift));
+                                phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_mask_LightPlace(_e739.unnamed_1.word, _e716.y));
                             } else {
-                                let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e716.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e755.unnamed.root, _e716.y), _e755.unnamed_1);
-                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_bvh_traverse_Tree(_e716.z, _e761.unnamed_1.first_primitive));
-                                phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_bvh_traverse_Tree(_e767.unnamed_1.root, _e716.w));
+                                let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e716.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e755.unnamed.word, _e716.y), _e755.unnamed_1);
+                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_mask_LightPlace(_e716.z, _e761.unnamed_1.shift));
+                                phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_mask_LightPlace(_e767.unnamed_1.word, _e716.w));
                             }
                             let _e775 = phi_1382_;
                             let _e785 = nodes.member[(0u + _e654)].y;
                             if (_e428 < 0f) {
-                                let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e785.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e796.unnamed.root, _e785.w), _e796.unnamed_1);
-                                let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_bvh_traverse_Tree(_e785.x, _e802.unnamed_1.first_primitive));
-                                phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e808.unnamed, lt_bvh_traverse_Tree(_e808.unnamed_1.root, _e785.y));
+                                let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e785.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e796.unnamed.word, _e785.w), _e796.unnamed_1);
+                                let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_mask_LightPlace(_e785.x, _e802.unnamed_1.shift));
+                                phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e808.unnamed, lt_mask_LightPlace(_e808.unnamed_1.word, _e785.y));
                             } else {
-                                let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e785.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e824.unnamed.root, _e785.y), _e824.unnamed_1);
-                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_bvh_traverse_Tree(_e785.z, _e830.unnamed_1.first_primitive));
-                                phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e836.unnamed, lt_bvh_traverse_Tree(_e836.unnamed_1.root, _e785.w));
+                                let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e785.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e824.unnamed.word, _e785.y), _e824.unnamed_1);
+                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_mask_LightPlace(_e785.z, _e830.unnamed_1.shift));
+                                phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e836.unnamed, lt_mask_LightPlace(_e836.unnamed_1.word, _e785.w));
                             }
                             let _e844 = phi_1409_;
                             let _e854 = nodes.member[(0u + _e654)].z;
                             if (_e438 < 0f) {
-                                let _e865 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e854.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e871 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e865.unnamed.root, _e854.w), _e865.unnamed_1);
-                                let _e877 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e871.unnamed, lt_bvh_traverse_Tree(_e854.x, _e871.unnamed_1.first_primitive));
-                                phi_1436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e877.unnamed, lt_bvh_traverse_Tree(_e877.unnamed_1.root, _e854.y));
+                                let _e865 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e854.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e871 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e865.unnamed.word, _e854.w), _e865.unnamed_1);
+                                let _e877 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e871.unnamed, lt_mask_LightPlace(_e854.x, _e871.unnamed_1.shift));
+                                phi_1436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e877.unnamed, lt_mask_LightPlace(_e877.unnamed_1.word, _e854.y));
                             } else {
-                                let _e893 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e854.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e899 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e893.unnamed.root, _e854.y), _e893.unnamed_1);
-                                let _e905 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e899.unnamed, lt_bvh_traverse_Tree(_e854.z, _e899.unnamed_1.first_primitive));
-                                phi_1436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e905.unnamed, lt_bvh_traverse_Tree(_e905.unnamed_1.root, _e854.w));
+                                let _e893 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e854.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e899 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e893.unnamed.word, _e854.y), _e893.unnamed_1);
+                                let _e905 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e899.unnamed, lt_mask_LightPlace(_e854.z, _e899.unnamed_1.shift));
+                                phi_1436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e905.unnamed, lt_mask_LightPlace(_e905.unnamed_1.word, _e854.w));
                             }
                             let _e913 = phi_1436_;
                             phi_1442_ = 0u;
@@ -1318,41 +1319,41 @@ fn function_() {
                                     let _e928 = (_e923 >> bitcast<u32>(2i));
                                     let _e929 = (_e923 & 3u);
                                     if (_e928 == 0u) {
-                                        phi_1459_ = _e775.unnamed.root;
+                                        phi_1459_ = _e775.unnamed.word;
                                     } else {
-                                        phi_1459_ = _e775.unnamed.first_primitive;
+                                        phi_1459_ = _e775.unnamed.shift;
                                     }
                                     let _e932 = phi_1459_;
                                     if (_e928 == 0u) {
-                                        phi_1469_ = _e844.unnamed.root;
+                                        phi_1469_ = _e844.unnamed.word;
                                     } else {
-                                        phi_1469_ = _e844.unnamed.first_primitive;
+                                        phi_1469_ = _e844.unnamed.shift;
                                     }
                                     let _e941 = phi_1469_;
                                     if (_e928 == 0u) {
-                                        phi_1479_ = _e913.unnamed.root;
+                                        phi_1479_ = _e913.unnamed.word;
                                     } else {
-                                        phi_1479_ = _e913.unnamed.first_primitive;
+                                        phi_1479_ = _e913.unnamed.shift;
                                     }
                                     let _e950 = phi_1479_;
                                     let _e963 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e932 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e688) + (_e706 - _e466)), ((f32(((_e941 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e689) + (_e707 - _e467)));
                                     let _e964 = core_intrinsics_maximum_number_nsz_f32_(_e963, ((f32(((_e950 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e690) + (_e708 - _e468)));
                                     if (_e928 == 0u) {
-                                        phi_1497_ = _e775.unnamed_1.root;
+                                        phi_1497_ = _e775.unnamed_1.word;
                                     } else {
-                                        phi_1497_ = _e775.unnamed_1.first_primitive;
+                                        phi_1497_ = _e775.unnamed_1.shift;
                                     }
                                     let _e967 = phi_1497_;
                                     if (_e928 == 0u) {
-                                        phi_1507_ = _e844.unnamed_1.root;
+                                        phi_1507_ = _e844.unnamed_1.word;
                                     } else {
-                                        phi_1507_ = _e844.unnamed_1.first_primitive;
+                                        phi_1507_ = _e844.unnamed_1.shift;
                                     }
                                     let _e976 = phi_1507_;
                                     if (_e928 == 0u) {
-                                        phi_1517_ = _e913.unnamed_1.root;
+                                        phi_1517_ = _e913.unnamed_1.word;
                                     } else {
-                                        phi_1517_ = _e913.unnamed_1.first_primitive;
+                                        phi_1517_ = _e913.unnamed_1.shift;
                                     }
                                     let _e985 = phi_1517_;
                                     let _e998 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e967 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e688) + (_e706 + _e466)), ((f32(((_e976 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e689) + (_e707 + _e467)));
@@ -2205,11 +2206,11 @@ fn function_() {
             phi_2537_ = _e1871;
         }
         let _e1873 = phi_2537_;
-        if (_e99.first_primitive < arrayLength((&visibility.member))) {
+        if (_e99.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e99.first_primitive)] = _e1873;
+        visibility.member[(0u + _e99.shift)] = _e1873;
     }
     return;
 }

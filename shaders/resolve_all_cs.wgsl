@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -24,9 +25,9 @@ struct type_13 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -97,8 +98,8 @@ struct type_41 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -121,19 +122,19 @@ var<storage> nodes: type_37;
 @group(0) @binding(3) 
 var<storage> triangles: type_41;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_173_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_173_: lt_mask_LightPlace;
     var phi_174_: bool;
-    var phi_175_: lt_bvh_traverse_Tree;
+    var phi_175_: lt_mask_LightPlace;
     var phi_176_: bool;
-    var phi_181_: lt_bvh_traverse_Tree;
+    var phi_181_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_173_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_173_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_174_ = false;
         } else {
-            phi_173_ = lt_bvh_traverse_Tree();
+            phi_173_ = lt_mask_LightPlace();
             phi_174_ = true;
         }
         let _e65 = phi_173_;
@@ -141,18 +142,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_175_ = _e65;
         phi_176_ = _e67;
     } else {
-        phi_175_ = lt_bvh_traverse_Tree();
+        phi_175_ = lt_mask_LightPlace();
         phi_176_ = true;
     }
     let _e69 = phi_175_;
     let _e71 = phi_176_;
     if _e71 {
-        phi_181_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_181_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_181_ = _e69;
     }
     let _e76 = phi_181_;
-    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
+    return lt_mask_LightPlace(_e76.word, _e76.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -438,12 +439,12 @@ fn function_() {
     let _e70 = p.member.size[0u];
     let _e72 = p.member.size[1u];
     let _e73 = lt_shaders_entry_pixel_index(_e54, _e70, _e72);
-    if (bitcast<i32>(_e73.root) != 0i) {
-        if (_e73.first_primitive < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e73.word) != 0i) {
+        if (_e73.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e81 = samples.member[(0u + _e73.first_primitive)];
+        let _e81 = samples.member[(0u + _e73.shift)];
         local_1 = abi_Sample(_e81.position, _e81.magnitude, _e81.normal, _e81.flags, _e81.shading_normal, _e81.albedo);
         let _e90 = _lt_shaders_abi_Sample_is_valid((&local_1));
         if _e90 {
@@ -849,41 +850,41 @@ fn function_() {
                             let _e682 = ((bitcast<f32>(_e675) - _e237) * _e412);
                             let _e690 = nodes.member[(0u + _e628)].x;
                             if (_e392 < 0f) {
-                                let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.unnamed.root, _e690.w), _e701.unnamed_1);
-                                let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_bvh_traverse_Tree(_e690.x, _e707.unnamed_1.first_primitive));
-                                phi_913_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e713.unnamed_1.root, _e690.y));
+                                let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e690.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e701.unnamed.word, _e690.w), _e701.unnamed_1);
+                                let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_mask_LightPlace(_e690.x, _e707.unnamed_1.shift));
+                                phi_913_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_mask_LightPlace(_e713.unnamed_1.word, _e690.y));
                             } else {
-                                let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e729.unnamed.root, _e690.y), _e729.unnamed_1);
-                                let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e690.z, _e735.unnamed_1.first_primitive));
-                                phi_913_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e690.w));
+                                let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e690.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e729.unnamed.word, _e690.y), _e729.unnamed_1);
+                                let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_mask_LightPlace(_e690.z, _e735.unnamed_1.shift));
+                                phi_913_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_mask_LightPlace(_e741.unnamed_1.word, _e690.w));
                             }
                             let _e749 = phi_913_;
                             let _e759 = nodes.member[(0u + _e628)].y;
                             if (_e402 < 0f) {
-                                let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.unnamed.root, _e759.w), _e770.unnamed_1);
-                                let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_bvh_traverse_Tree(_e759.x, _e776.unnamed_1.first_primitive));
-                                phi_940_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_bvh_traverse_Tree(_e782.unnamed_1.root, _e759.y));
+                                let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e759.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e770.unnamed.word, _e759.w), _e770.unnamed_1);
+                                let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_mask_LightPlace(_e759.x, _e776.unnamed_1.shift));
+                                phi_940_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_mask_LightPlace(_e782.unnamed_1.word, _e759.y));
                             } else {
-                                let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e798.unnamed.root, _e759.y), _e798.unnamed_1);
-                                let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_bvh_traverse_Tree(_e759.z, _e804.unnamed_1.first_primitive));
-                                phi_940_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e810.unnamed, lt_bvh_traverse_Tree(_e810.unnamed_1.root, _e759.w));
+                                let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e759.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e798.unnamed.word, _e759.y), _e798.unnamed_1);
+                                let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_mask_LightPlace(_e759.z, _e804.unnamed_1.shift));
+                                phi_940_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e810.unnamed, lt_mask_LightPlace(_e810.unnamed_1.word, _e759.w));
                             }
                             let _e818 = phi_940_;
                             let _e828 = nodes.member[(0u + _e628)].z;
                             if (_e412 < 0f) {
-                                let _e839 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e828.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e845 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e839.unnamed.root, _e828.w), _e839.unnamed_1);
-                                let _e851 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e845.unnamed, lt_bvh_traverse_Tree(_e828.x, _e845.unnamed_1.first_primitive));
-                                phi_967_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e851.unnamed, lt_bvh_traverse_Tree(_e851.unnamed_1.root, _e828.y));
+                                let _e839 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e828.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e845 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e839.unnamed.word, _e828.w), _e839.unnamed_1);
+                                let _e851 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e845.unnamed, lt_mask_LightPlace(_e828.x, _e845.unnamed_1.shift));
+                                phi_967_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e851.unnamed, lt_mask_LightPlace(_e851.unnamed_1.word, _e828.y));
                             } else {
-                                let _e867 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e828.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e873 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e867.unnamed.root, _e828.y), _e867.unnamed_1);
-                                let _e879 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e873.unnamed, lt_bvh_traverse_Tree(_e828.z, _e873.unnamed_1.first_primitive));
-                                phi_967_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e879.unnamed, lt_bvh_traverse_Tree(_e879.unnamed_1.root, _e828.w));
+                                let _e867 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e828.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e873 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e867.unnamed.word, _e828.y), _e867.unnamed_1);
+                                let _e879 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e873.unnamed, lt_mask_LightPlace(_e828.z, _e873.unnamed_1.shift));
+                                phi_967_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e879.unnamed, lt_mask_LightPlace(_e879.unnamed_1.word, _e828.w));
                             }
                             let _e887 = phi_967_;
                             phi_973_ = 0u;
@@ -899,41 +900,41 @@ fn function_() {
                                     let _e902 = (_e897 >> bitcast<u32>(2i));
                                     let _e903 = (_e897 & 3u);
                                     if (_e902 == 0u) {
-                                        phi_990_ = _e749.unnamed.root;
+                                        phi_990_ = _e749.unnamed.word;
                                     } else {
-                                        phi_990_ = _e749.unnamed.first_primitive;
+                                        phi_990_ = _e749.unnamed.shift;
                                     }
                                     let _e906 = phi_990_;
                                     if (_e902 == 0u) {
-                                        phi_1000_ = _e818.unnamed.root;
+                                        phi_1000_ = _e818.unnamed.word;
                                     } else {
-                                        phi_1000_ = _e818.unnamed.first_primitive;
+                                        phi_1000_ = _e818.unnamed.shift;
                                     }
                                     let _e915 = phi_1000_;
                                     if (_e902 == 0u) {
-                                        phi_1010_ = _e887.unnamed.root;
+                                        phi_1010_ = _e887.unnamed.word;
                                     } else {
-                                        phi_1010_ = _e887.unnamed.first_primitive;
+                                        phi_1010_ = _e887.unnamed.shift;
                                     }
                                     let _e924 = phi_1010_;
                                     let _e937 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e906 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e662) + (_e680 - _e440)), ((f32(((_e915 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e663) + (_e681 - _e441)));
                                     let _e938 = core_intrinsics_maximum_number_nsz_f32_(_e937, ((f32(((_e924 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e664) + (_e682 - _e442)));
                                     if (_e902 == 0u) {
-                                        phi_1028_ = _e749.unnamed_1.root;
+                                        phi_1028_ = _e749.unnamed_1.word;
                                     } else {
-                                        phi_1028_ = _e749.unnamed_1.first_primitive;
+                                        phi_1028_ = _e749.unnamed_1.shift;
                                     }
                                     let _e941 = phi_1028_;
                                     if (_e902 == 0u) {
-                                        phi_1038_ = _e818.unnamed_1.root;
+                                        phi_1038_ = _e818.unnamed_1.word;
                                     } else {
-                                        phi_1038_ = _e818.unnamed_1.first_primitive;
+                                        phi_1038_ = _e818.unnamed_1.shift;
                                     }
                                     let _e950 = phi_1038_;
                                     if (_e902 == 0u) {
-                                        phi_1048_ = _e887.unnamed_1.root;
+                                        phi_1048_ = _e887.unnamed_1.word;
                                     } else {
-                                        phi_1048_ = _e887.unnamed_1.first_primitive;
+                                        phi_1048_ = _e887.unnamed_1.shift;
                                     }
                                     let _e959 = phi_1048_;
                                     let _e972 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e941 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e662) + (_e680 + _e440)), ((f32(((_e950 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e663) + (_e681 + _e441)));
@@ -1683,11 +1684,11 @@ fn function_() {
             phi_1860_ = _e1645;
         }
         let _e1647 = phi_1860_;
-        if (_e73.first_primitive < arrayLength((&visibility.member))) {
+        if (_e73.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e73.first_primitive)] = _e1647;
+        visibility.member[(0u + _e73.shift)] = _e1647;
     }
     return;
 }

@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -135,8 +136,8 @@ struct type_55 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -193,19 +194,19 @@ var<storage> alpha_texels: type_13;
 @group(0) @binding(5) 
 var<storage> instances: type_69;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_234_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_234_: lt_mask_LightPlace;
     var phi_235_: bool;
-    var phi_236_: lt_bvh_traverse_Tree;
+    var phi_236_: lt_mask_LightPlace;
     var phi_237_: bool;
-    var phi_242_: lt_bvh_traverse_Tree;
+    var phi_242_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_234_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_234_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_235_ = false;
         } else {
-            phi_234_ = lt_bvh_traverse_Tree();
+            phi_234_ = lt_mask_LightPlace();
             phi_235_ = true;
         }
         let _e81 = phi_234_;
@@ -213,18 +214,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_236_ = _e81;
         phi_237_ = _e83;
     } else {
-        phi_236_ = lt_bvh_traverse_Tree();
+        phi_236_ = lt_mask_LightPlace();
         phi_237_ = true;
     }
     let _e85 = phi_236_;
     let _e87 = phi_237_;
     if _e87 {
-        phi_242_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_242_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_242_ = _e85;
     }
     let _e92 = phi_242_;
-    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
+    return lt_mask_LightPlace(_e92.word, _e92.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -973,12 +974,12 @@ fn function_() {
     let _e100 = p.member.size[0u];
     let _e102 = p.member.size[1u];
     let _e103 = lt_shaders_entry_pixel_index(_e72, _e100, _e102);
-    if (bitcast<i32>(_e103.root) != 0i) {
-        if (_e103.first_primitive < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e103.word) != 0i) {
+        if (_e103.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e111 = samples.member[(0u + _e103.first_primitive)];
+        let _e111 = samples.member[(0u + _e103.shift)];
         local_3 = abi_Sample(_e111.position, _e111.magnitude, _e111.normal, _e111.flags, _e111.shading_normal, _e111.albedo);
         let _e120 = _lt_shaders_abi_Sample_is_valid((&local_3));
         if _e120 {
@@ -1343,41 +1344,41 @@ fn function_() {
                             let _e683 = ((bitcast<f32>(_e676) - _e269) * _e443);
                             let _e691 = nodes.member[(0u + _e629)].x;
                             if (_e423 < 0f) {
-                                let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e691.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.unnamed.root, _e691.w), _e702.unnamed_1);
-                                let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_bvh_traverse_Tree(_e691.x, _e708.unnamed_1.first_primitive));
-                                phi_1361_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e714.unnamed_1.root, _e691.y));
+                                let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e691.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.unnamed.word, _e691.w), _e702.unnamed_1);
+                                let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_mask_LightPlace(_e691.x, _e708.unnamed_1.shift));
+                                phi_1361_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e714.unnamed_1.word, _e691.y));
                             } else {
-                                let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e691.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e730.unnamed.root, _e691.y), _e730.unnamed_1);
-                                let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e736.unnamed, lt_bvh_traverse_Tree(_e691.z, _e736.unnamed_1.first_primitive));
-                                phi_1361_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e742.unnamed_1.root, _e691.w));
+                                let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e691.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e730.unnamed.word, _e691.y), _e730.unnamed_1);
+                                let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e736.unnamed, lt_mask_LightPlace(_e691.z, _e736.unnamed_1.shift));
+                                phi_1361_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_mask_LightPlace(_e742.unnamed_1.word, _e691.w));
                             }
                             let _e750 = phi_1361_;
                             let _e760 = nodes.member[(0u + _e629)].y;
                             if (_e433 < 0f) {
-                                let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e760.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.unnamed.root, _e760.w), _e771.unnamed_1);
-                                let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_bvh_traverse_Tree(_e760.x, _e777.unnamed_1.first_primitive));
-                                phi_1388_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_bvh_traverse_Tree(_e783.unnamed_1.root, _e760.y));
+                                let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e760.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.unnamed.word, _e760.w), _e771.unnamed_1);
+                                let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_mask_LightPlace(_e760.x, _e777.unnamed_1.shift));
+                                phi_1388_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e783.unnamed_1.word, _e760.y));
                             } else {
-                                let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e760.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e799.unnamed.root, _e760.y), _e799.unnamed_1);
-                                let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e805.unnamed, lt_bvh_traverse_Tree(_e760.z, _e805.unnamed_1.first_primitive));
-                                phi_1388_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_bvh_traverse_Tree(_e811.unnamed_1.root, _e760.w));
+                                let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e760.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e799.unnamed.word, _e760.y), _e799.unnamed_1);
+                                let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e805.unnamed, lt_mask_LightPlace(_e760.z, _e805.unnamed_1.shift));
+                                phi_1388_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_mask_LightPlace(_e811.unnamed_1.word, _e760.w));
                             }
                             let _e819 = phi_1388_;
                             let _e829 = nodes.member[(0u + _e629)].z;
                             if (_e443 < 0f) {
-                                let _e840 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e829.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e846 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e840.unnamed.root, _e829.w), _e840.unnamed_1);
-                                let _e852 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e846.unnamed, lt_bvh_traverse_Tree(_e829.x, _e846.unnamed_1.first_primitive));
-                                phi_1415_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e852.unnamed, lt_bvh_traverse_Tree(_e852.unnamed_1.root, _e829.y));
+                                let _e840 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e829.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e846 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e840.unnamed.word, _e829.w), _e840.unnamed_1);
+                                let _e852 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e846.unnamed, lt_mask_LightPlace(_e829.x, _e846.unnamed_1.shift));
+                                phi_1415_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e852.unnamed, lt_mask_LightPlace(_e852.unnamed_1.word, _e829.y));
                             } else {
-                                let _e868 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e829.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e874 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e868.unnamed.root, _e829.y), _e868.unnamed_1);
-                                let _e880 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e874.unnamed, lt_bvh_traverse_Tree(_e829.z, _e874.unnamed_1.first_primitive));
-                                phi_1415_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e880.unnamed, lt_bvh_traverse_Tree(_e880.unnamed_1.root, _e829.w));
+                                let _e868 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e829.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e874 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e868.unnamed.word, _e829.y), _e868.unnamed_1);
+                                let _e880 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e874.unnamed, lt_mask_LightPlace(_e829.z, _e874.unnamed_1.shift));
+                                phi_1415_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e880.unnamed, lt_mask_LightPlace(_e880.unnamed_1.word, _e829.w));
                             }
                             let _e888 = phi_1415_;
                             phi_1421_ = 0u;
@@ -1393,41 +1394,41 @@ fn function_() {
                                     let _e903 = (_e898 >> bitcast<u32>(2i));
                                     let _e904 = (_e898 & 3u);
                                     if (_e903 == 0u) {
-                                        phi_1438_ = _e750.unnamed.root;
+                                        phi_1438_ = _e750.unnamed.word;
                                     } else {
-                                        phi_1438_ = _e750.unnamed.first_primitive;
+                                        phi_1438_ = _e750.unnamed.shift;
                                     }
                                     let _e907 = phi_1438_;
                                     if (_e903 == 0u) {
-                                        phi_1448_ = _e819.unnamed.root;
+                                        phi_1448_ = _e819.unnamed.word;
                                     } else {
-                                        phi_1448_ = _e819.unnamed.first_primitive;
+                                        phi_1448_ = _e819.unnamed.shift;
                                     }
                                     let _e916 = phi_1448_;
                                     if (_e903 == 0u) {
-                                        phi_1458_ = _e888.unnamed.root;
+                                        phi_1458_ = _e888.unnamed.word;
                                     } else {
-                                        phi_1458_ = _e888.unnamed.first_primitive;
+                                        phi_1458_ = _e888.unnamed.shift;
                                     }
                                     let _e925 = phi_1458_;
                                     let _e938 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e907 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u)) * _e663) + (_e681 - _e471)), ((f32(((_e916 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u)) * _e664) + (_e682 - _e472)));
                                     let _e939 = core_intrinsics_maximum_number_nsz_f32_(_e938, ((f32(((_e925 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u)) * _e665) + (_e683 - _e473)));
                                     if (_e903 == 0u) {
-                                        phi_1476_ = _e750.unnamed_1.root;
+                                        phi_1476_ = _e750.unnamed_1.word;
                                     } else {
-                                        phi_1476_ = _e750.unnamed_1.first_primitive;
+                                        phi_1476_ = _e750.unnamed_1.shift;
                                     }
                                     let _e942 = phi_1476_;
                                     if (_e903 == 0u) {
-                                        phi_1486_ = _e819.unnamed_1.root;
+                                        phi_1486_ = _e819.unnamed_1.word;
                                     } else {
-                                        phi_1486_ = _e819.unnamed_1.first_primitive;
+                                        phi_1486_ = _e819.unnamed_1.shift;
                                     }
                                     let _e951 = phi_1486_;
                                     if (_e903 == 0u) {
-                                        phi_1496_ = _e888.unnamed_1.root;
+                                        phi_1496_ = _e888.unnamed_1.word;
                                     } else {
-                                        phi_1496_ = _e888.unnamed_1.first_primitive;
+                                        phi_1496_ = _e888.unnamed_1.shift;
                                     }
                                     let _e960 = phi_1496_;
                                     let _e973 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e942 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u)) * _e663) + (_e681 + _e471)), ((f32(((_e951 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u)) * _e664) + (_e682 + _e472)));
@@ -1921,41 +1922,41 @@ fn function_() {
                                                                 let _e1648 = ((bitcast<f32>(_e1641) - _e1175) * _e1378);
                                                                 let _e1656 = nodes.member[(0u + _e1594)].x;
                                                                 if (_e1358 < 0f) {
-                                                                    let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1656.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1667.unnamed.root, _e1656.w), _e1667.unnamed_1);
-                                                                    let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_bvh_traverse_Tree(_e1656.x, _e1673.unnamed_1.first_primitive));
-                                                                    phi_2301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_bvh_traverse_Tree(_e1679.unnamed_1.root, _e1656.y));
+                                                                    let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1656.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1667.unnamed.word, _e1656.w), _e1667.unnamed_1);
+                                                                    let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_mask_LightPlace(_e1656.x, _e1673.unnamed_1.shift));
+                                                                    phi_2301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_mask_LightPlace(_e1679.unnamed_1.word, _e1656.y));
                                                                 } else {
-                                                                    let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1656.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1695.unnamed.root, _e1656.y), _e1695.unnamed_1);
-                                                                    let _e1707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_bvh_traverse_Tree(_e1656.z, _e1701.unnamed_1.first_primitive));
-                                                                    phi_2301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1707.unnamed, lt_bvh_traverse_Tree(_e1707.unnamed_1.root, _e1656.w));
+                                                                    let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1656.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1695.unnamed.word, _e1656.y), _e1695.unnamed_1);
+                                                                    let _e1707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_mask_LightPlace(_e1656.z, _e1701.unnamed_1.shift));
+                                                                    phi_2301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1707.unnamed, lt_mask_LightPlace(_e1707.unnamed_1.word, _e1656.w));
                                                                 }
                                                                 let _e1715 = phi_2301_;
                                                                 let _e1725 = nodes.member[(0u + _e1594)].y;
                                                                 if (_e1368 < 0f) {
-                                                                    let _e1736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1725.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1736.unnamed.root, _e1725.w), _e1736.unnamed_1);
-                                                                    let _e1748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1742.unnamed, lt_bvh_traverse_Tree(_e1725.x, _e1742.unnamed_1.first_primitive));
-                                                                    phi_2328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1748.unnamed, lt_bvh_traverse_Tree(_e1748.unnamed_1.root, _e1725.y));
+                                                                    let _e1736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1725.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1736.unnamed.word, _e1725.w), _e1736.unnamed_1);
+                                                                    let _e1748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1742.unnamed, lt_mask_LightPlace(_e1725.x, _e1742.unnamed_1.shift));
+                                                                    phi_2328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1748.unnamed, lt_mask_LightPlace(_e1748.unnamed_1.word, _e1725.y));
                                                                 } else {
-                                                                    let _e1764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1725.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1764.unnamed.root, _e1725.y), _e1764.unnamed_1);
-                                                                    let _e1776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1770.unnamed, lt_bvh_traverse_Tree(_e1725.z, _e1770.unnamed_1.first_primitive));
-                                                                    phi_2328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1776.unnamed, lt_bvh_traverse_Tree(_e1776.unnamed_1.root, _e1725.w));
+                                                                    let _e1764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1725.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1764.unnamed.word, _e1725.y), _e1764.unnamed_1);
+                                                                    let _e1776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1770.unnamed, lt_mask_LightPlace(_e1725.z, _e1770.unnamed_1.shift));
+                                                                    phi_2328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1776.unnamed, lt_mask_LightPlace(_e1776.unnamed_1.word, _e1725.w));
                                                                 }
                                                                 let _e1784 = phi_2328_;
                                                                 let _e1794 = nodes.member[(0u + _e1594)].z;
                                                                 if (_e1378 < 0f) {
-                                                                    let _e1805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1794.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1805.unnamed.root, _e1794.w), _e1805.unnamed_1);
-                                                                    let _e1817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1811.unnamed, lt_bvh_traverse_Tree(_e1794.x, _e1811.unnamed_1.first_primitive));
-                                                                    phi_2355_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1817.unnamed, lt_bvh_traverse_Tree(_e1817.unnamed_1.root, _e1794.y));
+                                                                    let _e1805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1794.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1805.unnamed.word, _e1794.w), _e1805.unnamed_1);
+                                                                    let _e1817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1811.unnamed, lt_mask_LightPlace(_e1794.x, _e1811.unnamed_1.shift));
+                                                                    phi_2355_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1817.unnamed, lt_mask_LightPlace(_e1817.unnamed_1.word, _e1794.y));
                                                                 } else {
-                                                                    let _e1833 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1794.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1839 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1833.unnamed.root, _e1794.y), _e1833.unnamed_1);
-                                                                    let _e1845 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1839.unnamed, lt_bvh_traverse_Tree(_e1794.z, _e1839.unnamed_1.first_primitive));
-                                                                    phi_2355_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1845.unnamed, lt_bvh_traverse_Tree(_e1845.unnamed_1.root, _e1794.w));
+                                                                    let _e1833 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1794.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1839 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1833.unnamed.word, _e1794.y), _e1833.unnamed_1);
+                                                                    let _e1845 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1839.unnamed, lt_mask_LightPlace(_e1794.z, _e1839.unnamed_1.shift));
+                                                                    phi_2355_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1845.unnamed, lt_mask_LightPlace(_e1845.unnamed_1.word, _e1794.w));
                                                                 }
                                                                 let _e1853 = phi_2355_;
                                                                 phi_2361_ = 0u;
@@ -1971,41 +1972,41 @@ fn function_() {
                                                                         let _e1868 = (_e1863 >> bitcast<u32>(2i));
                                                                         let _e1869 = (_e1863 & 3u);
                                                                         if (_e1868 == 0u) {
-                                                                            phi_2378_ = _e1715.unnamed.root;
+                                                                            phi_2378_ = _e1715.unnamed.word;
                                                                         } else {
-                                                                            phi_2378_ = _e1715.unnamed.first_primitive;
+                                                                            phi_2378_ = _e1715.unnamed.shift;
                                                                         }
                                                                         let _e1872 = phi_2378_;
                                                                         if (_e1868 == 0u) {
-                                                                            phi_2388_ = _e1784.unnamed.root;
+                                                                            phi_2388_ = _e1784.unnamed.word;
                                                                         } else {
-                                                                            phi_2388_ = _e1784.unnamed.first_primitive;
+                                                                            phi_2388_ = _e1784.unnamed.shift;
                                                                         }
                                                                         let _e1881 = phi_2388_;
                                                                         if (_e1868 == 0u) {
-                                                                            phi_2398_ = _e1853.unnamed.root;
+                                                                            phi_2398_ = _e1853.unnamed.word;
                                                                         } else {
-                                                                            phi_2398_ = _e1853.unnamed.first_primitive;
+                                                                            phi_2398_ = _e1853.unnamed.shift;
                                                                         }
                                                                         let _e1890 = phi_2398_;
                                                                         let _e1903 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1872 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u)) * _e1628) + (_e1646 - _e1406)), ((f32(((_e1881 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u)) * _e1629) + (_e1647 - _e1407)));
                                                                         let _e1904 = core_intrinsics_maximum_number_nsz_f32_(_e1903, ((f32(((_e1890 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u)) * _e1630) + (_e1648 - _e1408)));
                                                                         if (_e1868 == 0u) {
-                                                                            phi_2416_ = _e1715.unnamed_1.root;
+                                                                            phi_2416_ = _e1715.unnamed_1.word;
                                                                         } else {
-                                                                            phi_2416_ = _e1715.unnamed_1.first_primitive;
+                                                                            phi_2416_ = _e1715.unnamed_1.shift;
                                                                         }
                                                                         let _e1907 = phi_2416_;
                                                                         if (_e1868 == 0u) {
-                                                                            phi_2426_ = _e1784.unnamed_1.root;
+                                                                            phi_2426_ = _e1784.unnamed_1.word;
                                                                         } else {
-                                                                            phi_2426_ = _e1784.unnamed_1.first_primitive;
+                                                                            phi_2426_ = _e1784.unnamed_1.shift;
                                                                         }
                                                                         let _e1916 = phi_2426_;
                                                                         if (_e1868 == 0u) {
-                                                                            phi_2436_ = _e1853.unnamed_1.root;
+                                                                            phi_2436_ = _e1853.unnamed_1.word;
                                                                         } else {
-                                                                            phi_2436_ = _e1853.unnamed_1.first_primitive;
+                                                                            phi_2436_ = _e1853.unnamed_1.shift;
                                                                         }
                                                                         let _e1925 = phi_2436_;
                                                                         let _e1938 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1907 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u)) * _e1628) + (_e1646 + _e1406)), ((f32(((_e1916 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u)) * _e1629) + (_e1647 + _e1407)));
@@ -3012,11 +3013,11 @@ fn function_() {
             phi_3566_ = _e2924;
         }
         let _e2926 = phi_3566_;
-        if (_e103.first_primitive < arrayLength((&visibility.member))) {
+        if (_e103.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e103.first_primitive)] = _e2926;
+        visibility.member[(0u + _e103.shift)] = _e2926;
     }
     return;
 }

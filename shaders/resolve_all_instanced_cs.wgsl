@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -24,9 +25,9 @@ struct type_13 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -97,8 +98,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -138,19 +139,19 @@ var<storage> triangles: type_42;
 @group(0) @binding(5) 
 var<storage> instances: type_52;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_188_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_188_: lt_mask_LightPlace;
     var phi_189_: bool;
-    var phi_190_: lt_bvh_traverse_Tree;
+    var phi_190_: lt_mask_LightPlace;
     var phi_191_: bool;
-    var phi_196_: lt_bvh_traverse_Tree;
+    var phi_196_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_188_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_188_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_189_ = false;
         } else {
-            phi_188_ = lt_bvh_traverse_Tree();
+            phi_188_ = lt_mask_LightPlace();
             phi_189_ = true;
         }
         let _e67 = phi_188_;
@@ -158,18 +159,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_190_ = _e67;
         phi_191_ = _e69;
     } else {
-        phi_190_ = lt_bvh_traverse_Tree();
+        phi_190_ = lt_mask_LightPlace();
         phi_191_ = true;
     }
     let _e71 = phi_190_;
     let _e73 = phi_191_;
     if _e73 {
-        phi_196_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_196_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_196_ = _e71;
     }
     let _e78 = phi_196_;
-    return lt_bvh_traverse_Tree(_e78.root, _e78.first_primitive);
+    return lt_mask_LightPlace(_e78.word, _e78.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -554,12 +555,12 @@ fn function_() {
     let _e76 = p.member.size[0u];
     let _e78 = p.member.size[1u];
     let _e79 = lt_shaders_entry_pixel_index(_e57, _e76, _e78);
-    if (bitcast<i32>(_e79.root) != 0i) {
-        if (_e79.first_primitive < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e79.word) != 0i) {
+        if (_e79.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e87 = samples.member[(0u + _e79.first_primitive)];
+        let _e87 = samples.member[(0u + _e79.shift)];
         local_2 = abi_Sample(_e87.position, _e87.magnitude, _e87.normal, _e87.flags, _e87.shading_normal, _e87.albedo);
         let _e96 = _lt_shaders_abi_Sample_is_valid((&local_2));
         if _e96 {
@@ -924,41 +925,41 @@ fn function_() {
                             let _e659 = ((bitcast<f32>(_e652) - _e245) * _e419);
                             let _e667 = nodes.member[(0u + _e605)].x;
                             if (_e399 < 0f) {
-                                let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e678.unnamed.root, _e667.w), _e678.unnamed_1);
-                                let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_bvh_traverse_Tree(_e667.x, _e684.unnamed_1.first_primitive));
-                                phi_928_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_bvh_traverse_Tree(_e690.unnamed_1.root, _e667.y));
+                                let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e678.unnamed.word, _e667.w), _e678.unnamed_1);
+                                let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_mask_LightPlace(_e667.x, _e684.unnamed_1.shift));
+                                phi_928_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_mask_LightPlace(_e690.unnamed_1.word, _e667.y));
                             } else {
-                                let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e706.unnamed.root, _e667.y), _e706.unnamed_1);
-                                let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_bvh_traverse_Tree(_e667.z, _e712.unnamed_1.first_primitive));
-                                phi_928_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e718.unnamed_1.root, _e667.w));
+                                let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e706.unnamed.word, _e667.y), _e706.unnamed_1);
+                                let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_mask_LightPlace(_e667.z, _e712.unnamed_1.shift));
+                                phi_928_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_mask_LightPlace(_e718.unnamed_1.word, _e667.w));
                             }
                             let _e726 = phi_928_;
                             let _e736 = nodes.member[(0u + _e605)].y;
                             if (_e409 < 0f) {
-                                let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e747.unnamed.root, _e736.w), _e747.unnamed_1);
-                                let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_bvh_traverse_Tree(_e736.x, _e753.unnamed_1.first_primitive));
-                                phi_955_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e759.unnamed, lt_bvh_traverse_Tree(_e759.unnamed_1.root, _e736.y));
+                                let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e736.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e747.unnamed.word, _e736.w), _e747.unnamed_1);
+                                let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_mask_LightPlace(_e736.x, _e753.unnamed_1.shift));
+                                phi_955_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e759.unnamed, lt_mask_LightPlace(_e759.unnamed_1.word, _e736.y));
                             } else {
-                                let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e775.unnamed.root, _e736.y), _e775.unnamed_1);
-                                let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e781.unnamed, lt_bvh_traverse_Tree(_e736.z, _e781.unnamed_1.first_primitive));
-                                phi_955_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_bvh_traverse_Tree(_e787.unnamed_1.root, _e736.w));
+                                let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e736.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e775.unnamed.word, _e736.y), _e775.unnamed_1);
+                                let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e781.unnamed, lt_mask_LightPlace(_e736.z, _e781.unnamed_1.shift));
+                                phi_955_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_mask_LightPlace(_e787.unnamed_1.word, _e736.w));
                             }
                             let _e795 = phi_955_;
                             let _e805 = nodes.member[(0u + _e605)].z;
                             if (_e419 < 0f) {
-                                let _e816 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e805.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e816.unnamed.root, _e805.w), _e816.unnamed_1);
-                                let _e828 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e822.unnamed, lt_bvh_traverse_Tree(_e805.x, _e822.unnamed_1.first_primitive));
-                                phi_982_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e828.unnamed, lt_bvh_traverse_Tree(_e828.unnamed_1.root, _e805.y));
+                                let _e816 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e805.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e816.unnamed.word, _e805.w), _e816.unnamed_1);
+                                let _e828 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e822.unnamed, lt_mask_LightPlace(_e805.x, _e822.unnamed_1.shift));
+                                phi_982_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e828.unnamed, lt_mask_LightPlace(_e828.unnamed_1.word, _e805.y));
                             } else {
-                                let _e844 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e805.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e850 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e844.unnamed.root, _e805.y), _e844.unnamed_1);
-                                let _e856 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e850.unnamed, lt_bvh_traverse_Tree(_e805.z, _e850.unnamed_1.first_primitive));
-                                phi_982_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e856.unnamed, lt_bvh_traverse_Tree(_e856.unnamed_1.root, _e805.w));
+                                let _e844 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e805.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e850 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e844.unnamed.word, _e805.y), _e844.unnamed_1);
+                                let _e856 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e850.unnamed, lt_mask_LightPlace(_e805.z, _e850.unnamed_1.shift));
+                                phi_982_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e856.unnamed, lt_mask_LightPlace(_e856.unnamed_1.word, _e805.w));
                             }
                             let _e864 = phi_982_;
                             phi_988_ = 0u;
@@ -974,41 +975,41 @@ fn function_() {
                                     let _e879 = (_e874 >> bitcast<u32>(2i));
                                     let _e880 = (_e874 & 3u);
                                     if (_e879 == 0u) {
-                                        phi_1005_ = _e726.unnamed.root;
+                                        phi_1005_ = _e726.unnamed.word;
                                     } else {
-                                        phi_1005_ = _e726.unnamed.first_primitive;
+                                        phi_1005_ = _e726.unnamed.shift;
                                     }
                                     let _e883 = phi_1005_;
                                     if (_e879 == 0u) {
-                                        phi_1015_ = _e795.unnamed.root;
+                                        phi_1015_ = _e795.unnamed.word;
                                     } else {
-                                        phi_1015_ = _e795.unnamed.first_primitive;
+                                        phi_1015_ = _e795.unnamed.shift;
                                     }
                                     let _e892 = phi_1015_;
                                     if (_e879 == 0u) {
-                                        phi_1025_ = _e864.unnamed.root;
+                                        phi_1025_ = _e864.unnamed.word;
                                     } else {
-                                        phi_1025_ = _e864.unnamed.first_primitive;
+                                        phi_1025_ = _e864.unnamed.shift;
                                     }
                                     let _e901 = phi_1025_;
                                     let _e914 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e883 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e639) + (_e657 - _e447)), ((f32(((_e892 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e640) + (_e658 - _e448)));
                                     let _e915 = core_intrinsics_maximum_number_nsz_f32_(_e914, ((f32(((_e901 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e641) + (_e659 - _e449)));
                                     if (_e879 == 0u) {
-                                        phi_1043_ = _e726.unnamed_1.root;
+                                        phi_1043_ = _e726.unnamed_1.word;
                                     } else {
-                                        phi_1043_ = _e726.unnamed_1.first_primitive;
+                                        phi_1043_ = _e726.unnamed_1.shift;
                                     }
                                     let _e918 = phi_1043_;
                                     if (_e879 == 0u) {
-                                        phi_1053_ = _e795.unnamed_1.root;
+                                        phi_1053_ = _e795.unnamed_1.word;
                                     } else {
-                                        phi_1053_ = _e795.unnamed_1.first_primitive;
+                                        phi_1053_ = _e795.unnamed_1.shift;
                                     }
                                     let _e927 = phi_1053_;
                                     if (_e879 == 0u) {
-                                        phi_1063_ = _e864.unnamed_1.root;
+                                        phi_1063_ = _e864.unnamed_1.word;
                                     } else {
-                                        phi_1063_ = _e864.unnamed_1.first_primitive;
+                                        phi_1063_ = _e864.unnamed_1.shift;
                                     }
                                     let _e936 = phi_1063_;
                                     let _e949 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e918 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e639) + (_e657 + _e447)), ((f32(((_e927 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e640) + (_e658 + _e448)));
@@ -1502,41 +1503,41 @@ fn function_() {
                                                                 let _e1624 = ((bitcast<f32>(_e1617) - _e1151) * _e1354);
                                                                 let _e1632 = nodes.member[(0u + _e1570)].x;
                                                                 if (_e1334 < 0f) {
-                                                                    let _e1643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1632.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1643.unnamed.root, _e1632.w), _e1643.unnamed_1);
-                                                                    let _e1655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1649.unnamed, lt_bvh_traverse_Tree(_e1632.x, _e1649.unnamed_1.first_primitive));
-                                                                    phi_1868_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1655.unnamed, lt_bvh_traverse_Tree(_e1655.unnamed_1.root, _e1632.y));
+                                                                    let _e1643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1632.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1643.unnamed.word, _e1632.w), _e1643.unnamed_1);
+                                                                    let _e1655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1649.unnamed, lt_mask_LightPlace(_e1632.x, _e1649.unnamed_1.shift));
+                                                                    phi_1868_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1655.unnamed, lt_mask_LightPlace(_e1655.unnamed_1.word, _e1632.y));
                                                                 } else {
-                                                                    let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1632.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1671.unnamed.root, _e1632.y), _e1671.unnamed_1);
-                                                                    let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1632.z, _e1677.unnamed_1.first_primitive));
-                                                                    phi_1868_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_bvh_traverse_Tree(_e1683.unnamed_1.root, _e1632.w));
+                                                                    let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1632.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1671.unnamed.word, _e1632.y), _e1671.unnamed_1);
+                                                                    let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_mask_LightPlace(_e1632.z, _e1677.unnamed_1.shift));
+                                                                    phi_1868_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_mask_LightPlace(_e1683.unnamed_1.word, _e1632.w));
                                                                 }
                                                                 let _e1691 = phi_1868_;
                                                                 let _e1701 = nodes.member[(0u + _e1570)].y;
                                                                 if (_e1344 < 0f) {
-                                                                    let _e1712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1701.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1712.unnamed.root, _e1701.w), _e1712.unnamed_1);
-                                                                    let _e1724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1718.unnamed, lt_bvh_traverse_Tree(_e1701.x, _e1718.unnamed_1.first_primitive));
-                                                                    phi_1895_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1724.unnamed, lt_bvh_traverse_Tree(_e1724.unnamed_1.root, _e1701.y));
+                                                                    let _e1712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1701.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1712.unnamed.word, _e1701.w), _e1712.unnamed_1);
+                                                                    let _e1724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1718.unnamed, lt_mask_LightPlace(_e1701.x, _e1718.unnamed_1.shift));
+                                                                    phi_1895_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1724.unnamed, lt_mask_LightPlace(_e1724.unnamed_1.word, _e1701.y));
                                                                 } else {
-                                                                    let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1701.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1740.unnamed.root, _e1701.y), _e1740.unnamed_1);
-                                                                    let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1746.unnamed, lt_bvh_traverse_Tree(_e1701.z, _e1746.unnamed_1.first_primitive));
-                                                                    phi_1895_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_bvh_traverse_Tree(_e1752.unnamed_1.root, _e1701.w));
+                                                                    let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1701.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1740.unnamed.word, _e1701.y), _e1740.unnamed_1);
+                                                                    let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1746.unnamed, lt_mask_LightPlace(_e1701.z, _e1746.unnamed_1.shift));
+                                                                    phi_1895_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_mask_LightPlace(_e1752.unnamed_1.word, _e1701.w));
                                                                 }
                                                                 let _e1760 = phi_1895_;
                                                                 let _e1770 = nodes.member[(0u + _e1570)].z;
                                                                 if (_e1354 < 0f) {
-                                                                    let _e1781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1770.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1781.unnamed.root, _e1770.w), _e1781.unnamed_1);
-                                                                    let _e1793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1787.unnamed, lt_bvh_traverse_Tree(_e1770.x, _e1787.unnamed_1.first_primitive));
-                                                                    phi_1922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1793.unnamed, lt_bvh_traverse_Tree(_e1793.unnamed_1.root, _e1770.y));
+                                                                    let _e1781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1770.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1781.unnamed.word, _e1770.w), _e1781.unnamed_1);
+                                                                    let _e1793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1787.unnamed, lt_mask_LightPlace(_e1770.x, _e1787.unnamed_1.shift));
+                                                                    phi_1922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1793.unnamed, lt_mask_LightPlace(_e1793.unnamed_1.word, _e1770.y));
                                                                 } else {
-                                                                    let _e1809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1770.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1809.unnamed.root, _e1770.y), _e1809.unnamed_1);
-                                                                    let _e1821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1815.unnamed, lt_bvh_traverse_Tree(_e1770.z, _e1815.unnamed_1.first_primitive));
-                                                                    phi_1922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1821.unnamed, lt_bvh_traverse_Tree(_e1821.unnamed_1.root, _e1770.w));
+                                                                    let _e1809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1770.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1809.unnamed.word, _e1770.y), _e1809.unnamed_1);
+                                                                    let _e1821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1815.unnamed, lt_mask_LightPlace(_e1770.z, _e1815.unnamed_1.shift));
+                                                                    phi_1922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1821.unnamed, lt_mask_LightPlace(_e1821.unnamed_1.word, _e1770.w));
                                                                 }
                                                                 let _e1829 = phi_1922_;
                                                                 phi_1928_ = 0u;
@@ -1552,41 +1553,41 @@ fn function_() {
                                                                         let _e1844 = (_e1839 >> bitcast<u32>(2i));
                                                                         let _e1845 = (_e1839 & 3u);
                                                                         if (_e1844 == 0u) {
-                                                                            phi_1945_ = _e1691.unnamed.root;
+                                                                            phi_1945_ = _e1691.unnamed.word;
                                                                         } else {
-                                                                            phi_1945_ = _e1691.unnamed.first_primitive;
+                                                                            phi_1945_ = _e1691.unnamed.shift;
                                                                         }
                                                                         let _e1848 = phi_1945_;
                                                                         if (_e1844 == 0u) {
-                                                                            phi_1955_ = _e1760.unnamed.root;
+                                                                            phi_1955_ = _e1760.unnamed.word;
                                                                         } else {
-                                                                            phi_1955_ = _e1760.unnamed.first_primitive;
+                                                                            phi_1955_ = _e1760.unnamed.shift;
                                                                         }
                                                                         let _e1857 = phi_1955_;
                                                                         if (_e1844 == 0u) {
-                                                                            phi_1965_ = _e1829.unnamed.root;
+                                                                            phi_1965_ = _e1829.unnamed.word;
                                                                         } else {
-                                                                            phi_1965_ = _e1829.unnamed.first_primitive;
+                                                                            phi_1965_ = _e1829.unnamed.shift;
                                                                         }
                                                                         let _e1866 = phi_1965_;
                                                                         let _e1879 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1848 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1604) + (_e1622 - _e1382)), ((f32(((_e1857 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1605) + (_e1623 - _e1383)));
                                                                         let _e1880 = core_intrinsics_maximum_number_nsz_f32_(_e1879, ((f32(((_e1866 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1606) + (_e1624 - _e1384)));
                                                                         if (_e1844 == 0u) {
-                                                                            phi_1983_ = _e1691.unnamed_1.root;
+                                                                            phi_1983_ = _e1691.unnamed_1.word;
                                                                         } else {
-                                                                            phi_1983_ = _e1691.unnamed_1.first_primitive;
+                                                                            phi_1983_ = _e1691.unnamed_1.shift;
                                                                         }
                                                                         let _e1883 = phi_1983_;
                                                                         if (_e1844 == 0u) {
-                                                                            phi_1993_ = _e1760.unnamed_1.root;
+                                                                            phi_1993_ = _e1760.unnamed_1.word;
                                                                         } else {
-                                                                            phi_1993_ = _e1760.unnamed_1.first_primitive;
+                                                                            phi_1993_ = _e1760.unnamed_1.shift;
                                                                         }
                                                                         let _e1892 = phi_1993_;
                                                                         if (_e1844 == 0u) {
-                                                                            phi_2003_ = _e1829.unnamed_1.root;
+                                                                            phi_2003_ = _e1829.unnamed_1.word;
                                                                         } else {
-                                                                            phi_2003_ = _e1829.unnamed_1.first_primitive;
+                                                                            phi_2003_ = _e1829.unnamed_1.shift;
                                                                         }
                                                                         let _e1901 = phi_2003_;
                                                                         let _e1914 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1883 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1604) + (_e1622 + _e1382)), ((f32(((_e1892 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1605) + (_e1623 + _e1383)));
@@ -2490,11 +2491,11 @@ fn function_() {
             phi_2925_ = _e2700;
         }
         let _e2702 = phi_2925_;
-        if (_e79.first_primitive < arrayLength((&visibility.member))) {
+        if (_e79.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e79.first_primitive)] = _e2702;
+        visibility.member[(0u + _e79.shift)] = _e2702;
     }
     return;
 }

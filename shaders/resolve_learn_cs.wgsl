@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -61,7 +62,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_30 {
+struct type_31 {
     member: abi_ShadowParams,
 }
 
@@ -73,7 +74,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_35 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -86,13 +87,13 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_39 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -108,74 +109,66 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_30;
+var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> nodes: type_35;
+var<storage> nodes: type_36;
 @group(0) @binding(3) 
-var<storage> triangles: type_39;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_150_: bool;
-    var phi_154_: f32;
+    var phi_158_: bool;
+    var phi_162_: f32;
 
     if (param != param) {
-        phi_150_ = true;
+        phi_158_ = true;
     } else {
-        let _e54 = (param_1 >= param);
-        if _e54 {
+        let _e57 = (param_1 >= param);
+        if _e57 {
         }
-        phi_150_ = _e54;
+        phi_158_ = _e57;
     }
-    let _e56 = phi_150_;
-    if _e56 {
-        phi_154_ = param_1;
+    let _e59 = phi_158_;
+    if _e59 {
+        phi_162_ = param_1;
     } else {
-        phi_154_ = param;
+        phi_162_ = param;
     }
-    let _e58 = phi_154_;
-    return _e58;
+    let _e61 = phi_162_;
+    return _e61;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_166_: bool;
-    var phi_170_: f32;
+    var phi_174_: bool;
+    var phi_178_: f32;
 
     if (param_2 != param_2) {
-        phi_166_ = true;
+        phi_174_ = true;
     } else {
-        let _e54 = (param_3 <= param_2);
-        if _e54 {
+        let _e57 = (param_3 <= param_2);
+        if _e57 {
         }
-        phi_166_ = _e54;
+        phi_174_ = _e57;
     }
-    let _e56 = phi_166_;
-    if _e56 {
-        phi_170_ = param_3;
+    let _e59 = phi_174_;
+    if _e59 {
+        phi_178_ = param_3;
     } else {
-        phi_170_ = param_2;
+        phi_178_ = param_2;
     }
-    let _e58 = phi_170_;
-    return _e58;
+    let _e61 = phi_178_;
+    return _e61;
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
-    var phi_247_: f32;
-    var phi_302_: bool;
-    var phi_303_: bool;
-    var phi_304_: bool;
-    var phi_308_: bool;
-    var phi_309_: bool;
+    var phi_255_: f32;
     var phi_310_: bool;
     var phi_311_: bool;
     var phi_312_: bool;
-    var phi_313_: bool;
-    var phi_314_: bool;
-    var phi_315_: bool;
     var phi_316_: bool;
     var phi_317_: bool;
     var phi_318_: bool;
@@ -186,1399 +179,1455 @@ fn function_() {
     var phi_323_: bool;
     var phi_324_: bool;
     var phi_325_: bool;
+    var phi_326_: bool;
+    var phi_327_: bool;
+    var phi_328_: bool;
     var phi_329_: bool;
+    var phi_330_: bool;
+    var phi_331_: bool;
+    var phi_332_: bool;
     var phi_333_: bool;
-    var phi_403_: f32;
-    var phi_410_: f32;
-    var phi_417_: f32;
-    var phi_424_: f32;
-    var phi_431_: f32;
-    var phi_438_: f32;
-    var phi_455_: f32;
-    var phi_460_: f32;
-    var phi_465_: f32;
-    var phi_493_: bool;
-    var phi_494_: bool;
-    var phi_502_: u32;
-    var phi_503_: u32;
-    var phi_514_: vec3<f32>;
-    var phi_515_: vec3<f32>;
-    var phi_528_: u32;
-    var phi_533_: u32;
-    var phi_538_: u32;
-    var phi_652_: bool;
-    var phi_653_: bool;
-    var phi_684_: u32;
-    var phi_686_: u32;
-    var phi_689_: bool;
-    var phi_769_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_796_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_823_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_829_: u32;
-    var phi_832_: u32;
-    var phi_846_: u32;
-    var phi_856_: u32;
-    var phi_866_: u32;
-    var phi_884_: u32;
-    var phi_894_: u32;
-    var phi_904_: u32;
-    var phi_940_: u32;
-    var phi_953_: u32;
-    var phi_958_: u32;
-    var phi_959_: u32;
-    var phi_960_: u32;
-    var phi_830_: u32;
-    var phi_833_: u32;
+    var phi_337_: bool;
+    var phi_341_: bool;
+    var phi_411_: f32;
+    var phi_418_: f32;
+    var phi_425_: f32;
+    var phi_432_: f32;
+    var phi_439_: f32;
+    var phi_446_: f32;
+    var phi_463_: f32;
+    var phi_468_: f32;
+    var phi_473_: f32;
+    var phi_501_: bool;
+    var phi_502_: bool;
+    var phi_510_: u32;
+    var phi_511_: u32;
+    var phi_522_: vec3<f32>;
+    var phi_523_: vec3<f32>;
+    var phi_536_: u32;
+    var phi_541_: u32;
+    var phi_546_: u32;
+    var phi_660_: bool;
+    var phi_661_: bool;
+    var phi_692_: u32;
+    var phi_694_: u32;
+    var phi_697_: bool;
+    var phi_777_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_804_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_831_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_837_: u32;
+    var phi_840_: u32;
+    var phi_854_: u32;
+    var phi_864_: u32;
+    var phi_874_: u32;
+    var phi_892_: u32;
+    var phi_902_: u32;
+    var phi_912_: u32;
+    var phi_948_: u32;
+    var phi_961_: u32;
+    var phi_966_: u32;
+    var phi_967_: u32;
+    var phi_968_: u32;
+    var phi_838_: u32;
+    var phi_841_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1018_: u32;
-    var phi_1021_: bool;
-    var phi_1065_: vec3<f32>;
-    var phi_1066_: vec3<f32>;
-    var phi_1095_: vec3<f32>;
-    var phi_1096_: vec3<f32>;
-    var phi_1125_: vec3<f32>;
-    var phi_1126_: vec3<f32>;
-    var phi_1144_: bool;
-    var phi_1145_: bool;
-    var phi_1149_: f32;
-    var phi_1150_: f32;
-    var phi_1151_: f32;
-    var phi_1152_: f32;
+    var phi_1026_: u32;
+    var phi_1029_: bool;
+    var phi_1073_: vec3<f32>;
+    var phi_1074_: vec3<f32>;
+    var phi_1103_: vec3<f32>;
+    var phi_1104_: vec3<f32>;
+    var phi_1133_: vec3<f32>;
+    var phi_1134_: vec3<f32>;
+    var phi_1152_: bool;
+    var phi_1153_: bool;
+    var phi_1157_: f32;
+    var phi_1158_: f32;
+    var phi_1159_: f32;
     var phi_1160_: f32;
-    var phi_1170_: bool;
-    var phi_1171_: bool;
-    var phi_1175_: f32;
-    var phi_1176_: f32;
-    var phi_1177_: f32;
-    var phi_1178_: f32;
+    var phi_1168_: f32;
+    var phi_1178_: bool;
+    var phi_1179_: bool;
+    var phi_1183_: f32;
+    var phi_1184_: f32;
+    var phi_1185_: f32;
     var phi_1186_: f32;
-    var phi_1196_: bool;
-    var phi_1197_: bool;
-    var phi_1201_: f32;
-    var phi_1202_: f32;
-    var phi_1203_: f32;
-    var phi_1204_: f32;
+    var phi_1194_: f32;
+    var phi_1204_: bool;
+    var phi_1205_: bool;
+    var phi_1209_: f32;
+    var phi_1210_: f32;
+    var phi_1211_: f32;
     var phi_1212_: f32;
-    var phi_1227_: f32;
-    var phi_1228_: bool;
-    var phi_1229_: f32;
-    var phi_1230_: bool;
-    var phi_1231_: f32;
-    var phi_1232_: bool;
-    var phi_1250_: f32;
-    var phi_1251_: bool;
-    var phi_1252_: bool;
-    var phi_1253_: f32;
-    var phi_1254_: bool;
-    var phi_1255_: bool;
+    var phi_1220_: f32;
+    var phi_1235_: f32;
+    var phi_1236_: bool;
+    var phi_1237_: f32;
+    var phi_1238_: bool;
+    var phi_1239_: f32;
+    var phi_1240_: bool;
+    var phi_1258_: f32;
     var phi_1259_: bool;
-    var phi_1260_: f32;
-    var phi_1261_: bool;
-    var phi_1289_: vec3<f32>;
-    var phi_1290_: vec3<f32>;
-    var phi_1315_: vec3<f32>;
-    var phi_1316_: vec3<f32>;
-    var phi_1341_: vec3<f32>;
-    var phi_1342_: vec3<f32>;
-    var phi_1398_: f32;
-    var phi_1407_: f32;
-    var phi_1416_: f32;
-    var phi_1425_: f32;
-    var phi_1432_: f32;
-    var phi_1439_: f32;
-    var phi_1452_: f32;
-    var phi_1461_: f32;
-    var phi_1470_: f32;
-    var phi_1479_: f32;
-    var phi_1486_: f32;
-    var phi_1493_: f32;
-    var phi_1510_: f32;
-    var phi_1515_: f32;
-    var phi_1520_: f32;
+    var phi_1260_: bool;
+    var phi_1261_: f32;
+    var phi_1262_: bool;
+    var phi_1263_: bool;
+    var phi_1267_: bool;
+    var phi_1268_: f32;
+    var phi_1269_: bool;
+    var phi_1297_: vec3<f32>;
+    var phi_1298_: vec3<f32>;
+    var phi_1323_: vec3<f32>;
+    var phi_1324_: vec3<f32>;
+    var phi_1349_: vec3<f32>;
+    var phi_1350_: vec3<f32>;
+    var phi_1406_: f32;
+    var phi_1415_: f32;
+    var phi_1424_: f32;
+    var phi_1433_: f32;
+    var phi_1440_: f32;
+    var phi_1447_: f32;
+    var phi_1460_: f32;
+    var phi_1469_: f32;
+    var phi_1478_: f32;
+    var phi_1487_: f32;
+    var phi_1494_: f32;
+    var phi_1501_: f32;
+    var phi_1518_: f32;
+    var phi_1523_: f32;
     var phi_1528_: f32;
-    var phi_1533_: f32;
-    var phi_1538_: f32;
-    var phi_1550_: f32;
-    var phi_1555_: f32;
-    var phi_1560_: f32;
-    var phi_1565_: f32;
-    var phi_1570_: lt_bvh_triangle_Intersection;
-    var phi_1571_: bool;
-    var phi_1572_: lt_bvh_triangle_Intersection;
-    var phi_1573_: bool;
-    var phi_1577_: lt_bvh_triangle_Intersection;
-    var phi_1578_: bool;
-    var phi_1579_: lt_bvh_triangle_Intersection;
-    var phi_1580_: bool;
+    var phi_1536_: f32;
+    var phi_1541_: f32;
+    var phi_1546_: f32;
+    var phi_1558_: f32;
+    var phi_1563_: f32;
+    var phi_1568_: f32;
+    var phi_1573_: f32;
+    var phi_1578_: lt_bvh_triangle_Intersection;
+    var phi_1579_: bool;
+    var phi_1580_: lt_bvh_triangle_Intersection;
     var phi_1581_: bool;
-    var phi_1585_: bool;
-    var phi_1589_: lt_bvh_triangle_Intersection;
-    var phi_1609_: bool;
-    var phi_1610_: bool;
-    var phi_1611_: bool;
-    var phi_1612_: bool;
-    var phi_1613_: bool;
-    var phi_1614_: bool;
-    var phi_1615_: bool;
-    var phi_1019_: u32;
-    var phi_1022_: bool;
+    var phi_1585_: lt_bvh_triangle_Intersection;
+    var phi_1586_: bool;
+    var phi_1587_: lt_bvh_triangle_Intersection;
+    var phi_1588_: bool;
+    var phi_1589_: bool;
+    var phi_1593_: bool;
+    var phi_1597_: lt_bvh_triangle_Intersection;
+    var phi_1617_: bool;
+    var phi_1618_: bool;
     var phi_1619_: bool;
+    var phi_1620_: bool;
+    var phi_1621_: bool;
+    var phi_1622_: bool;
+    var phi_1623_: bool;
+    var phi_1027_: u32;
+    var phi_1030_: bool;
+    var phi_1627_: bool;
     var local_4: bool;
-    var phi_1661_: bool;
-    var phi_1662_: bool;
-    var phi_1693_: u32;
-    var phi_1694_: u32;
-    var phi_687_: u32;
-    var phi_690_: bool;
-    var phi_1695_: bool;
-    var phi_1696_: bool;
-    var local_5: bool;
-    var phi_1700_: bool;
+    var phi_1669_: bool;
+    var phi_1670_: bool;
+    var phi_1701_: u32;
+    var phi_1702_: u32;
+    var phi_695_: u32;
+    var phi_698_: bool;
+    var phi_1703_: bool;
     var phi_1704_: bool;
-    var phi_1705_: bool;
-    var phi_1706_: bool;
-    var phi_1707_: bool;
-    var phi_1711_: bool;
-    var phi_1715_: f32;
-    var phi_1736_: u32;
-    var phi_1751_: u32;
-    var phi_1756_: u32;
+    var local_5: bool;
+    var phi_1708_: bool;
+    var phi_1712_: bool;
+    var phi_1713_: bool;
+    var phi_1714_: bool;
+    var phi_1715_: bool;
+    var phi_1719_: bool;
+    var phi_1723_: f32;
+    var phi_1764_: u32;
+    var phi_1783_: u32;
+    var phi_1791_: u32;
+    var phi_1799_: u32;
+    var phi_1804_: u32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
 
-    let _e52 = id_1;
-    let _e59 = arrayLength((&nodes.member));
-    let _e65 = arrayLength((&visibility.member));
-    let _e68 = arrayLength((&list.member));
-    let _e71 = arrayLength((&bits.member));
-    let _e75 = ((_e52.y * 2097152u) + _e52.x);
-    if (3u < _e68) {
+    let _e55 = id_1;
+    let _e62 = arrayLength((&nodes.member));
+    let _e68 = arrayLength((&visibility.member));
+    let _e71 = arrayLength((&list.member));
+    let _e74 = arrayLength((&bits.member));
+    let _e78 = ((_e55.y * 2097152u) + _e55.x);
+    if (3u < _e71) {
     } else {
         return;
     }
-    let _e78 = list.member[3u];
-    if (_e75 < _e78) {
-        let _e80 = (_e75 + 4u);
-        if (_e80 < _e68) {
+    let _e81 = list.member[3u];
+    if (_e78 < _e81) {
+        let _e83 = (_e78 + 4u);
+        if (_e83 < _e71) {
         } else {
             return;
         }
-        let _e84 = list.member[(0u + _e80)];
-        if (_e84 < arrayLength((&samples.member))) {
+        let _e87 = list.member[(0u + _e83)];
+        if (_e87 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e90 = samples.member[(0u + _e84)].position;
-        let _e92 = samples.member[(0u + _e84)].normal;
-        let _e94 = samples.member[(0u + _e84)].magnitude;
-        let _e96 = ((8f / 8388608f) * _e94);
-        let _e104 = (_e90.x + (_e92.x * _e96));
-        let _e106 = (_e90.y + (_e92.y * _e96));
-        let _e108 = (_e90.z + (_e92.z * _e96));
-        let _e110 = p.member.light.place;
-        if (_e110.w == 0f) {
-            phi_247_ = 300000000000000000000000000000000000000f;
+        let _e93 = samples.member[(0u + _e87)].position;
+        let _e95 = samples.member[(0u + _e87)].normal;
+        let _e97 = samples.member[(0u + _e87)].magnitude;
+        let _e99 = ((8f / 8388608f) * _e97);
+        let _e107 = (_e93.x + (_e95.x * _e99));
+        let _e109 = (_e93.y + (_e95.y * _e99));
+        let _e111 = (_e93.z + (_e95.z * _e99));
+        let _e113 = p.member.light.place;
+        if (_e113.w == 0f) {
+            phi_255_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_247_ = 1f;
+            phi_255_ = 1f;
         }
-        let _e114 = phi_247_;
-        let _e122 = (_e110.x - (_e104 * _e110.w));
-        let _e123 = (_e110.y - (_e106 * _e110.w));
-        let _e124 = (_e110.z - (_e108 * _e110.w));
-        let _e129 = abs(_e122);
-        let _e130 = abs(_e123);
-        let _e131 = abs(_e124);
-        if (abs(_e104) < 1000000000000000f) {
-            if (abs(_e106) < 1000000000000000f) {
-                if (abs(_e108) < 1000000000000000f) {
-                    if (_e129 < 1000000000000000f) {
-                        if (_e130 < 1000000000000000f) {
-                            if (_e131 < 1000000000000000f) {
-                                if (_e129 > 0f) {
-                                    phi_303_ = bool();
-                                    phi_304_ = true;
+        let _e117 = phi_255_;
+        let _e125 = (_e113.x - (_e107 * _e113.w));
+        let _e126 = (_e113.y - (_e109 * _e113.w));
+        let _e127 = (_e113.z - (_e111 * _e113.w));
+        let _e132 = abs(_e125);
+        let _e133 = abs(_e126);
+        let _e134 = abs(_e127);
+        if (abs(_e107) < 1000000000000000f) {
+            if (abs(_e109) < 1000000000000000f) {
+                if (abs(_e111) < 1000000000000000f) {
+                    if (_e132 < 1000000000000000f) {
+                        if (_e133 < 1000000000000000f) {
+                            if (_e134 < 1000000000000000f) {
+                                if (_e132 > 0f) {
+                                    phi_311_ = bool();
+                                    phi_312_ = true;
                                 } else {
-                                    let _e139 = (_e130 > 0f);
-                                    if _e139 {
-                                        phi_302_ = bool();
+                                    let _e142 = (_e133 > 0f);
+                                    if _e142 {
+                                        phi_310_ = bool();
                                     } else {
-                                        phi_302_ = (_e131 > 0f);
+                                        phi_310_ = (_e134 > 0f);
                                     }
-                                    let _e142 = phi_302_;
-                                    phi_303_ = _e142;
-                                    phi_304_ = _e139;
+                                    let _e145 = phi_310_;
+                                    phi_311_ = _e145;
+                                    phi_312_ = _e142;
                                 }
-                                let _e144 = phi_303_;
-                                let _e146 = phi_304_;
-                                if _e146 {
-                                    phi_308_ = true;
+                                let _e147 = phi_311_;
+                                let _e149 = phi_312_;
+                                if _e149 {
+                                    phi_316_ = true;
                                 } else {
-                                    phi_308_ = _e144;
+                                    phi_316_ = _e147;
                                 }
-                                let _e148 = phi_308_;
-                                phi_309_ = _e148;
-                                phi_310_ = false;
+                                let _e151 = phi_316_;
+                                phi_317_ = _e151;
+                                phi_318_ = false;
                             } else {
-                                phi_309_ = bool();
-                                phi_310_ = true;
+                                phi_317_ = bool();
+                                phi_318_ = true;
                             }
-                            let _e150 = phi_309_;
-                            let _e152 = phi_310_;
-                            phi_311_ = _e150;
-                            phi_312_ = false;
-                            phi_313_ = _e152;
+                            let _e153 = phi_317_;
+                            let _e155 = phi_318_;
+                            phi_319_ = _e153;
+                            phi_320_ = false;
+                            phi_321_ = _e155;
                         } else {
-                            phi_311_ = bool();
-                            phi_312_ = true;
-                            phi_313_ = false;
+                            phi_319_ = bool();
+                            phi_320_ = true;
+                            phi_321_ = false;
                         }
-                        let _e154 = phi_311_;
-                        let _e156 = phi_312_;
-                        let _e158 = phi_313_;
-                        phi_314_ = _e154;
-                        phi_315_ = _e156;
-                        phi_316_ = _e158;
+                        let _e157 = phi_319_;
+                        let _e159 = phi_320_;
+                        let _e161 = phi_321_;
+                        phi_322_ = _e157;
+                        phi_323_ = _e159;
+                        phi_324_ = _e161;
                     } else {
-                        phi_314_ = bool();
-                        phi_315_ = true;
-                        phi_316_ = false;
+                        phi_322_ = bool();
+                        phi_323_ = true;
+                        phi_324_ = false;
                     }
-                    let _e160 = phi_314_;
-                    let _e162 = phi_315_;
-                    let _e164 = phi_316_;
-                    phi_317_ = _e160;
-                    phi_318_ = _e162;
-                    phi_319_ = _e164;
+                    let _e163 = phi_322_;
+                    let _e165 = phi_323_;
+                    let _e167 = phi_324_;
+                    phi_325_ = _e163;
+                    phi_326_ = _e165;
+                    phi_327_ = _e167;
                 } else {
-                    phi_317_ = bool();
-                    phi_318_ = true;
-                    phi_319_ = false;
+                    phi_325_ = bool();
+                    phi_326_ = true;
+                    phi_327_ = false;
                 }
-                let _e166 = phi_317_;
-                let _e168 = phi_318_;
-                let _e170 = phi_319_;
-                phi_320_ = _e166;
-                phi_321_ = _e168;
-                phi_322_ = _e170;
+                let _e169 = phi_325_;
+                let _e171 = phi_326_;
+                let _e173 = phi_327_;
+                phi_328_ = _e169;
+                phi_329_ = _e171;
+                phi_330_ = _e173;
             } else {
-                phi_320_ = bool();
-                phi_321_ = true;
-                phi_322_ = false;
+                phi_328_ = bool();
+                phi_329_ = true;
+                phi_330_ = false;
             }
-            let _e172 = phi_320_;
-            let _e174 = phi_321_;
-            let _e176 = phi_322_;
-            phi_323_ = _e172;
-            phi_324_ = _e174;
-            phi_325_ = _e176;
+            let _e175 = phi_328_;
+            let _e177 = phi_329_;
+            let _e179 = phi_330_;
+            phi_331_ = _e175;
+            phi_332_ = _e177;
+            phi_333_ = _e179;
         } else {
-            phi_323_ = bool();
-            phi_324_ = true;
-            phi_325_ = false;
-        }
-        let _e178 = phi_323_;
-        let _e180 = phi_324_;
-        let _e182 = phi_325_;
-        if _e180 {
-            phi_329_ = true;
-        } else {
-            phi_329_ = _e182;
-        }
-        let _e184 = phi_329_;
-        if _e184 {
+            phi_331_ = bool();
+            phi_332_ = true;
             phi_333_ = false;
-        } else {
-            phi_333_ = _e178;
         }
-        let _e186 = phi_333_;
-        if _e186 {
-            let _e187 = (0u >= _e59);
-            if _e187 {
-                phi_1705_ = bool();
+        let _e181 = phi_331_;
+        let _e183 = phi_332_;
+        let _e185 = phi_333_;
+        if _e183 {
+            phi_337_ = true;
+        } else {
+            phi_337_ = _e185;
+        }
+        let _e187 = phi_337_;
+        if _e187 {
+            phi_341_ = false;
+        } else {
+            phi_341_ = _e181;
+        }
+        let _e189 = phi_341_;
+        if _e189 {
+            let _e190 = (0u >= _e62);
+            if _e190 {
+                phi_1713_ = bool();
             } else {
-                if (0u < _e59) {
+                if (0u < _e62) {
                 } else {
                     return;
                 }
-                let _e193 = nodes.member[(0u + 0u)].frame[0u];
-                let _e197 = nodes.member[(0u + 0u)].frame[1u];
-                let _e201 = nodes.member[(0u + 0u)].frame[2u];
-                let _e205 = nodes.member[(0u + 0u)].frame[0u];
-                let _e209 = nodes.member[(0u + 0u)].frame[1u];
-                let _e213 = nodes.member[(0u + 0u)].frame[2u];
-                let _e217 = nodes.member[(0u + 0u)].frame[3u];
-                let _e251 = core_intrinsics_maximum_number_nsz_f32_(abs(_e122), abs(_e123));
-                let _e252 = core_intrinsics_maximum_number_nsz_f32_(_e251, abs(_e124));
-                let _e253 = (_e252 * 0.0000000000009094947f);
-                if (abs(_e122) < _e253) {
-                    phi_403_ = _e253;
+                let _e196 = nodes.member[(0u + 0u)].frame[0u];
+                let _e200 = nodes.member[(0u + 0u)].frame[1u];
+                let _e204 = nodes.member[(0u + 0u)].frame[2u];
+                let _e208 = nodes.member[(0u + 0u)].frame[0u];
+                let _e212 = nodes.member[(0u + 0u)].frame[1u];
+                let _e216 = nodes.member[(0u + 0u)].frame[2u];
+                let _e220 = nodes.member[(0u + 0u)].frame[3u];
+                let _e254 = core_intrinsics_maximum_number_nsz_f32_(abs(_e125), abs(_e126));
+                let _e255 = core_intrinsics_maximum_number_nsz_f32_(_e254, abs(_e127));
+                let _e256 = (_e255 * 0.0000000000009094947f);
+                if (abs(_e125) < _e256) {
+                    phi_411_ = _e256;
                 } else {
-                    phi_403_ = abs(_e122);
+                    phi_411_ = abs(_e125);
                 }
-                let _e258 = phi_403_;
-                if (_e122 < 0f) {
-                    phi_410_ = (-1f / _e258);
+                let _e261 = phi_411_;
+                if (_e125 < 0f) {
+                    phi_418_ = (-1f / _e261);
                 } else {
-                    phi_410_ = (1f / _e258);
+                    phi_418_ = (1f / _e261);
                 }
-                let _e263 = phi_410_;
-                if (abs(_e123) < _e253) {
-                    phi_417_ = _e253;
+                let _e266 = phi_418_;
+                if (abs(_e126) < _e256) {
+                    phi_425_ = _e256;
                 } else {
-                    phi_417_ = abs(_e123);
+                    phi_425_ = abs(_e126);
                 }
-                let _e268 = phi_417_;
-                if (_e123 < 0f) {
-                    phi_424_ = (-1f / _e268);
+                let _e271 = phi_425_;
+                if (_e126 < 0f) {
+                    phi_432_ = (-1f / _e271);
                 } else {
-                    phi_424_ = (1f / _e268);
+                    phi_432_ = (1f / _e271);
                 }
-                let _e273 = phi_424_;
-                if (abs(_e124) < _e253) {
-                    phi_431_ = _e253;
+                let _e276 = phi_432_;
+                if (abs(_e127) < _e256) {
+                    phi_439_ = _e256;
                 } else {
-                    phi_431_ = abs(_e124);
+                    phi_439_ = abs(_e127);
                 }
-                let _e278 = phi_431_;
-                if (_e124 < 0f) {
-                    phi_438_ = (-1f / _e278);
+                let _e281 = phi_439_;
+                if (_e127 < 0f) {
+                    phi_446_ = (-1f / _e281);
                 } else {
-                    phi_438_ = (1f / _e278);
+                    phi_446_ = (1f / _e281);
                 }
-                let _e283 = phi_438_;
-                let _e287 = abs((bitcast<f32>(_e193) - _e104));
-                let _e288 = abs((bitcast<f32>(_e197) - _e106));
-                let _e289 = abs((bitcast<f32>(_e201) - _e108));
-                let _e293 = abs(((bitcast<f32>(_e205) + (bitcast<f32>((((_e217 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e104));
-                let _e294 = abs(((bitcast<f32>(_e209) + (bitcast<f32>((((_e217 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e106));
-                let _e295 = abs(((bitcast<f32>(_e213) + (bitcast<f32>((((_e217 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e108));
-                if (_e287 > _e293) {
-                    phi_455_ = _e287;
+                let _e286 = phi_446_;
+                let _e290 = abs((bitcast<f32>(_e196) - _e107));
+                let _e291 = abs((bitcast<f32>(_e200) - _e109));
+                let _e292 = abs((bitcast<f32>(_e204) - _e111));
+                let _e296 = abs(((bitcast<f32>(_e208) + (bitcast<f32>((((_e220 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e107));
+                let _e297 = abs(((bitcast<f32>(_e212) + (bitcast<f32>((((_e220 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e109));
+                let _e298 = abs(((bitcast<f32>(_e216) + (bitcast<f32>((((_e220 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e111));
+                if (_e290 > _e296) {
+                    phi_463_ = _e290;
                 } else {
-                    phi_455_ = _e293;
+                    phi_463_ = _e296;
                 }
-                let _e298 = phi_455_;
-                if (_e288 > _e294) {
-                    phi_460_ = _e288;
+                let _e301 = phi_463_;
+                if (_e291 > _e297) {
+                    phi_468_ = _e291;
                 } else {
-                    phi_460_ = _e294;
+                    phi_468_ = _e297;
                 }
-                let _e301 = phi_460_;
-                if (_e289 > _e295) {
-                    phi_465_ = _e289;
+                let _e304 = phi_468_;
+                if (_e292 > _e298) {
+                    phi_473_ = _e292;
                 } else {
-                    phi_465_ = _e295;
+                    phi_473_ = _e298;
                 }
-                let _e304 = phi_465_;
-                let _e305 = core_intrinsics_maximum_number_nsz_f32_(_e298, _e301);
-                let _e306 = core_intrinsics_maximum_number_nsz_f32_(_e305, _e304);
-                let _e310 = (_e306 * 0.0000019073486f);
-                let _e311 = (abs(_e263) * _e310);
-                let _e312 = (abs(_e273) * _e310);
-                let _e313 = (abs(_e283) * _e310);
-                let _e317 = (_e306 * 0.0000009536743f);
-                let _e318 = (abs(_e263) * _e317);
-                let _e319 = (abs(_e273) * _e317);
-                let _e320 = (abs(_e283) * _e317);
-                let _e321 = abs(_e122);
-                let _e322 = abs(_e123);
-                let _e323 = abs(_e124);
-                if (_e321 >= _e322) {
-                    if (_e321 >= _e323) {
-                        phi_493_ = false;
+                let _e307 = phi_473_;
+                let _e308 = core_intrinsics_maximum_number_nsz_f32_(_e301, _e304);
+                let _e309 = core_intrinsics_maximum_number_nsz_f32_(_e308, _e307);
+                let _e313 = (_e309 * 0.0000019073486f);
+                let _e314 = (abs(_e266) * _e313);
+                let _e315 = (abs(_e276) * _e313);
+                let _e316 = (abs(_e286) * _e313);
+                let _e320 = (_e309 * 0.0000009536743f);
+                let _e321 = (abs(_e266) * _e320);
+                let _e322 = (abs(_e276) * _e320);
+                let _e323 = (abs(_e286) * _e320);
+                let _e324 = abs(_e125);
+                let _e325 = abs(_e126);
+                let _e326 = abs(_e127);
+                if (_e324 >= _e325) {
+                    if (_e324 >= _e326) {
+                        phi_501_ = false;
                     } else {
-                        phi_493_ = true;
+                        phi_501_ = true;
                     }
-                    let _e327 = phi_493_;
-                    phi_494_ = _e327;
+                    let _e330 = phi_501_;
+                    phi_502_ = _e330;
                 } else {
-                    phi_494_ = true;
+                    phi_502_ = true;
                 }
-                let _e329 = phi_494_;
-                if _e329 {
-                    if (_e322 >= _e323) {
-                        phi_502_ = 1u;
+                let _e332 = phi_502_;
+                if _e332 {
+                    if (_e325 >= _e326) {
+                        phi_510_ = 1u;
                     } else {
-                        phi_502_ = 2u;
+                        phi_510_ = 2u;
                     }
-                    let _e332 = phi_502_;
-                    phi_503_ = _e332;
+                    let _e335 = phi_510_;
+                    phi_511_ = _e335;
                 } else {
-                    phi_503_ = 0u;
+                    phi_511_ = 0u;
                 }
-                let _e334 = phi_503_;
-                if (_e334 == 0u) {
-                    phi_515_ = vec3<f32>(_e123, _e124, _e122);
+                let _e337 = phi_511_;
+                if (_e337 == 0u) {
+                    phi_523_ = vec3<f32>(_e126, _e127, _e125);
                 } else {
-                    if (_e334 == 1u) {
-                        phi_514_ = vec3<f32>(_e124, _e122, _e123);
+                    if (_e337 == 1u) {
+                        phi_522_ = vec3<f32>(_e127, _e125, _e126);
                     } else {
-                        phi_514_ = vec3<f32>(_e122, _e123, _e124);
+                        phi_522_ = vec3<f32>(_e125, _e126, _e127);
                     }
-                    let _e340 = phi_514_;
-                    phi_515_ = _e340;
+                    let _e343 = phi_522_;
+                    phi_523_ = _e343;
                 }
-                let _e342 = phi_515_;
-                let _e345 = (_e342.x / _e342.z);
-                let _e348 = (_e342.y / _e342.z);
-                if (_e263 < 0f) {
-                    phi_528_ = 0u;
+                let _e345 = phi_523_;
+                let _e348 = (_e345.x / _e345.z);
+                let _e351 = (_e345.y / _e345.z);
+                if (_e266 < 0f) {
+                    phi_536_ = 0u;
                 } else {
-                    phi_528_ = 1u;
+                    phi_536_ = 1u;
                 }
-                let _e353 = phi_528_;
-                if (_e273 < 0f) {
-                    phi_533_ = 0u;
+                let _e356 = phi_536_;
+                if (_e276 < 0f) {
+                    phi_541_ = 0u;
                 } else {
-                    phi_533_ = 2u;
+                    phi_541_ = 2u;
                 }
-                let _e356 = phi_533_;
-                if (_e283 < 0f) {
-                    phi_538_ = 0u;
+                let _e359 = phi_541_;
+                if (_e286 < 0f) {
+                    phi_546_ = 0u;
                 } else {
-                    phi_538_ = 4u;
+                    phi_546_ = 4u;
                 }
-                let _e359 = phi_538_;
-                let _e361 = ((_e353 | _e356) | _e359);
-                let _e362 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local = lt_bvh_traverse_Stack(array<u32, 32>(_e362.first[0], _e362.first[1], _e362.first[2], _e362.first[3], _e362.first[4], _e362.first[5], _e362.first[6], _e362.first[7], _e362.first[8], _e362.first[9], _e362.first[10], _e362.first[11], _e362.first[12], _e362.first[13], _e362.first[14], _e362.first[15], _e362.first[16], _e362.first[17], _e362.first[18], _e362.first[19], _e362.first[20], _e362.first[21], _e362.first[22], _e362.first[23], _e362.first[24], _e362.first[25], _e362.first[26], _e362.first[27], _e362.first[28], _e362.first[29], _e362.first[30], _e362.first[31]), array<u32, 32>(_e362.mask[0], _e362.mask[1], _e362.mask[2], _e362.mask[3], _e362.mask[4], _e362.mask[5], _e362.mask[6], _e362.mask[7], _e362.mask[8], _e362.mask[9], _e362.mask[10], _e362.mask[11], _e362.mask[12], _e362.mask[13], _e362.mask[14], _e362.mask[15], _e362.mask[16], _e362.mask[17], _e362.mask[18], _e362.mask[19], _e362.mask[20], _e362.mask[21], _e362.mask[22], _e362.mask[23], _e362.mask[24], _e362.mask[25], _e362.mask[26], _e362.mask[27], _e362.mask[28], _e362.mask[29], _e362.mask[30], _e362.mask[31]), _e362.len, _e362.group, _e362.group_mask);
-                let _e436 = local.group_mask;
-                if ((_e436 & 4278190080u) == 0u) {
-                    let _e440 = local.len;
-                    if (_e440 == 0u) {
-                        phi_652_ = false;
+                let _e362 = phi_546_;
+                let _e364 = ((_e356 | _e359) | _e362);
+                let _e365 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local = lt_bvh_traverse_Stack(array<u32, 32>(_e365.first[0], _e365.first[1], _e365.first[2], _e365.first[3], _e365.first[4], _e365.first[5], _e365.first[6], _e365.first[7], _e365.first[8], _e365.first[9], _e365.first[10], _e365.first[11], _e365.first[12], _e365.first[13], _e365.first[14], _e365.first[15], _e365.first[16], _e365.first[17], _e365.first[18], _e365.first[19], _e365.first[20], _e365.first[21], _e365.first[22], _e365.first[23], _e365.first[24], _e365.first[25], _e365.first[26], _e365.first[27], _e365.first[28], _e365.first[29], _e365.first[30], _e365.first[31]), array<u32, 32>(_e365.mask[0], _e365.mask[1], _e365.mask[2], _e365.mask[3], _e365.mask[4], _e365.mask[5], _e365.mask[6], _e365.mask[7], _e365.mask[8], _e365.mask[9], _e365.mask[10], _e365.mask[11], _e365.mask[12], _e365.mask[13], _e365.mask[14], _e365.mask[15], _e365.mask[16], _e365.mask[17], _e365.mask[18], _e365.mask[19], _e365.mask[20], _e365.mask[21], _e365.mask[22], _e365.mask[23], _e365.mask[24], _e365.mask[25], _e365.mask[26], _e365.mask[27], _e365.mask[28], _e365.mask[29], _e365.mask[30], _e365.mask[31]), _e365.len, _e365.group, _e365.group_mask);
+                let _e439 = local.group_mask;
+                if ((_e439 & 4278190080u) == 0u) {
+                    let _e443 = local.len;
+                    if (_e443 == 0u) {
+                        phi_660_ = false;
                     } else {
-                        let _e444 = local.len;
-                        local.len = (_e444 - 1u);
                         let _e447 = local.len;
-                        if (_e447 < 32u) {
+                        local.len = (_e447 - 1u);
+                        let _e450 = local.len;
+                        if (_e450 < 32u) {
                         } else {
                             return;
                         }
-                        let _e452 = local.first[(0u + _e447)];
-                        local.group = _e452;
-                        let _e455 = local.len;
-                        if (_e455 < 32u) {
+                        let _e455 = local.first[(0u + _e450)];
+                        local.group = _e455;
+                        let _e458 = local.len;
+                        if (_e458 < 32u) {
                         } else {
                             return;
                         }
-                        let _e460 = local.mask[(0u + _e455)];
-                        local.group_mask = _e460;
-                        phi_652_ = true;
+                        let _e463 = local.mask[(0u + _e458)];
+                        local.group_mask = _e463;
+                        phi_660_ = true;
                     }
-                    let _e463 = phi_652_;
-                    phi_653_ = _e463;
+                    let _e466 = phi_660_;
+                    phi_661_ = _e466;
                 } else {
-                    phi_653_ = true;
+                    phi_661_ = true;
                 }
-                let _e465 = phi_653_;
-                if _e465 {
-                    let _e467 = local.group_mask;
-                    let _e473 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e467)), 32u, (_e467 == 0u)));
-                    let _e477 = local.group_mask;
-                    let _e491 = local.group_mask;
-                    local.group_mask = (_e491 & ~((1u << bitcast<u32>((_e473 & 31u)))));
-                    let _e494 = local.group;
-                    phi_684_ = (_e494 + countOneBits(((_e477 & ~((4294967295u << bitcast<u32>((((_e473 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e468 = phi_661_;
+                if _e468 {
+                    let _e470 = local.group_mask;
+                    let _e476 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e470)), 32u, (_e470 == 0u)));
+                    let _e480 = local.group_mask;
+                    let _e494 = local.group_mask;
+                    local.group_mask = (_e494 & ~((1u << bitcast<u32>((_e476 & 31u)))));
+                    let _e497 = local.group;
+                    phi_692_ = (_e497 + countOneBits(((_e480 & ~((4294967295u << bitcast<u32>((((_e476 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_684_ = 4294967295u;
+                    phi_692_ = 4294967295u;
                 }
-                let _e497 = phi_684_;
-                phi_686_ = _e497;
-                phi_689_ = false;
+                let _e500 = phi_692_;
+                phi_694_ = _e500;
+                phi_697_ = false;
                 loop {
-                    let _e499 = phi_686_;
-                    let _e501 = phi_689_;
-                    local_8 = _e501;
-                    if (_e499 != 4294967295u) {
-                        if (_e499 < _e59) {
+                    let _e502 = phi_694_;
+                    let _e504 = phi_697_;
+                    local_8 = _e504;
+                    if (_e502 != 4294967295u) {
+                        if (_e502 < _e62) {
                         } else {
                             return;
                         }
-                        let _e508 = nodes.member[(0u + _e499)].frame[3u];
-                        let _e533 = (bitcast<f32>((((_e508 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e263);
-                        let _e534 = (bitcast<f32>((((_e508 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e273);
-                        let _e535 = (bitcast<f32>((((_e508 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e283);
-                        let _e538 = nodes.member[(0u + _e499)].frame[0u];
-                        let _e542 = nodes.member[(0u + _e499)].frame[1u];
-                        let _e546 = nodes.member[(0u + _e499)].frame[2u];
-                        let _e551 = ((bitcast<f32>(_e538) - _e104) * _e263);
-                        let _e552 = ((bitcast<f32>(_e542) - _e106) * _e273);
-                        let _e553 = ((bitcast<f32>(_e546) - _e108) * _e283);
-                        let _e561 = nodes.member[(0u + _e499)].x;
-                        if (_e263 < 0f) {
-                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e561.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e572.unnamed.root, _e561.w), _e572.unnamed_1);
-                            let _e584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e561.x, _e578.unnamed_1.first_primitive));
-                            phi_769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e584.unnamed, lt_bvh_traverse_Tree(_e584.unnamed_1.root, _e561.y));
+                        let _e511 = nodes.member[(0u + _e502)].frame[3u];
+                        let _e536 = (bitcast<f32>((((_e511 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e266);
+                        let _e537 = (bitcast<f32>((((_e511 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e276);
+                        let _e538 = (bitcast<f32>((((_e511 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e286);
+                        let _e541 = nodes.member[(0u + _e502)].frame[0u];
+                        let _e545 = nodes.member[(0u + _e502)].frame[1u];
+                        let _e549 = nodes.member[(0u + _e502)].frame[2u];
+                        let _e554 = ((bitcast<f32>(_e541) - _e107) * _e266);
+                        let _e555 = ((bitcast<f32>(_e545) - _e109) * _e276);
+                        let _e556 = ((bitcast<f32>(_e549) - _e111) * _e286);
+                        let _e564 = nodes.member[(0u + _e502)].x;
+                        if (_e266 < 0f) {
+                            let _e575 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e564.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e581 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e575.unnamed.word, _e564.w), _e575.unnamed_1);
+                            let _e587 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e581.unnamed, lt_mask_LightPlace(_e564.x, _e581.unnamed_1.shift));
+                            phi_777_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e587.unnamed, lt_mask_LightPlace(_e587.unnamed_1.word, _e564.y));
                         } else {
-                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e561.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e600.unnamed.root, _e561.y), _e600.unnamed_1);
-                            let _e612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e561.z, _e606.unnamed_1.first_primitive));
-                            phi_769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e612.unnamed, lt_bvh_traverse_Tree(_e612.unnamed_1.root, _e561.w));
+                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e564.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e603.unnamed.word, _e564.y), _e603.unnamed_1);
+                            let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e609.unnamed, lt_mask_LightPlace(_e564.z, _e609.unnamed_1.shift));
+                            phi_777_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e615.unnamed, lt_mask_LightPlace(_e615.unnamed_1.word, _e564.w));
                         }
-                        let _e620 = phi_769_;
-                        let _e630 = nodes.member[(0u + _e499)].y;
-                        if (_e273 < 0f) {
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e630.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e630.w), _e641.unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e630.x, _e647.unnamed_1.first_primitive));
-                            phi_796_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e630.y));
+                        let _e623 = phi_777_;
+                        let _e633 = nodes.member[(0u + _e502)].y;
+                        if (_e276 < 0f) {
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e633.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e644.unnamed.word, _e633.w), _e644.unnamed_1);
+                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_mask_LightPlace(_e633.x, _e650.unnamed_1.shift));
+                            phi_804_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_mask_LightPlace(_e656.unnamed_1.word, _e633.y));
                         } else {
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e630.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e669.unnamed.root, _e630.y), _e669.unnamed_1);
-                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e630.z, _e675.unnamed_1.first_primitive));
-                            phi_796_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_bvh_traverse_Tree(_e681.unnamed_1.root, _e630.w));
+                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e633.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e672.unnamed.word, _e633.y), _e672.unnamed_1);
+                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_mask_LightPlace(_e633.z, _e678.unnamed_1.shift));
+                            phi_804_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_mask_LightPlace(_e684.unnamed_1.word, _e633.w));
                         }
-                        let _e689 = phi_796_;
-                        let _e699 = nodes.member[(0u + _e499)].z;
-                        if (_e283 < 0f) {
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e699.w), _e710.unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e699.x, _e716.unnamed_1.first_primitive));
-                            phi_823_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e699.y));
+                        let _e692 = phi_804_;
+                        let _e702 = nodes.member[(0u + _e502)].z;
+                        if (_e286 < 0f) {
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e713.unnamed.word, _e702.w), _e713.unnamed_1);
+                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_mask_LightPlace(_e702.x, _e719.unnamed_1.shift));
+                            phi_831_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_mask_LightPlace(_e725.unnamed_1.word, _e702.y));
                         } else {
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e738.unnamed.root, _e699.y), _e738.unnamed_1);
-                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e699.z, _e744.unnamed_1.first_primitive));
-                            phi_823_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_bvh_traverse_Tree(_e750.unnamed_1.root, _e699.w));
+                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e741.unnamed.word, _e702.y), _e741.unnamed_1);
+                            let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_mask_LightPlace(_e702.z, _e747.unnamed_1.shift));
+                            phi_831_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_mask_LightPlace(_e753.unnamed_1.word, _e702.w));
                         }
-                        let _e758 = phi_823_;
-                        phi_829_ = 0u;
-                        phi_832_ = 0u;
+                        let _e761 = phi_831_;
+                        phi_837_ = 0u;
+                        phi_840_ = 0u;
                         loop {
-                            let _e768 = phi_829_;
-                            let _e770 = phi_832_;
-                            local_1 = _e770;
-                            local_2 = _e770;
-                            local_3 = _e770;
-                            let _e771 = (_e768 < 8u);
-                            if _e771 {
-                                let _e773 = (_e768 >> bitcast<u32>(2i));
-                                let _e774 = (_e768 & 3u);
-                                if (_e773 == 0u) {
-                                    phi_846_ = _e620.unnamed.root;
+                            let _e771 = phi_837_;
+                            let _e773 = phi_840_;
+                            local_1 = _e773;
+                            local_2 = _e773;
+                            local_3 = _e773;
+                            let _e774 = (_e771 < 8u);
+                            if _e774 {
+                                let _e776 = (_e771 >> bitcast<u32>(2i));
+                                let _e777 = (_e771 & 3u);
+                                if (_e776 == 0u) {
+                                    phi_854_ = _e623.unnamed.word;
                                 } else {
-                                    phi_846_ = _e620.unnamed.first_primitive;
+                                    phi_854_ = _e623.unnamed.shift;
                                 }
-                                let _e777 = phi_846_;
-                                if (_e773 == 0u) {
-                                    phi_856_ = _e689.unnamed.root;
+                                let _e780 = phi_854_;
+                                if (_e776 == 0u) {
+                                    phi_864_ = _e692.unnamed.word;
                                 } else {
-                                    phi_856_ = _e689.unnamed.first_primitive;
+                                    phi_864_ = _e692.unnamed.shift;
                                 }
-                                let _e786 = phi_856_;
-                                if (_e773 == 0u) {
-                                    phi_866_ = _e758.unnamed.root;
+                                let _e789 = phi_864_;
+                                if (_e776 == 0u) {
+                                    phi_874_ = _e761.unnamed.word;
                                 } else {
-                                    phi_866_ = _e758.unnamed.first_primitive;
+                                    phi_874_ = _e761.unnamed.shift;
                                 }
-                                let _e795 = phi_866_;
-                                let _e808 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e777 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e311)), ((f32(((_e786 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e312)));
-                                let _e809 = core_intrinsics_maximum_number_nsz_f32_(_e808, ((f32(((_e795 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e535) + (_e553 - _e313)));
-                                if (_e773 == 0u) {
-                                    phi_884_ = _e620.unnamed_1.root;
+                                let _e798 = phi_874_;
+                                let _e811 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e780 >> bitcast<u32>(((_e777 * 8u) & 31u))) & 255u)) * _e536) + (_e554 - _e314)), ((f32(((_e789 >> bitcast<u32>(((_e777 * 8u) & 31u))) & 255u)) * _e537) + (_e555 - _e315)));
+                                let _e812 = core_intrinsics_maximum_number_nsz_f32_(_e811, ((f32(((_e798 >> bitcast<u32>(((_e777 * 8u) & 31u))) & 255u)) * _e538) + (_e556 - _e316)));
+                                if (_e776 == 0u) {
+                                    phi_892_ = _e623.unnamed_1.word;
                                 } else {
-                                    phi_884_ = _e620.unnamed_1.first_primitive;
+                                    phi_892_ = _e623.unnamed_1.shift;
                                 }
-                                let _e812 = phi_884_;
-                                if (_e773 == 0u) {
-                                    phi_894_ = _e689.unnamed_1.root;
+                                let _e815 = phi_892_;
+                                if (_e776 == 0u) {
+                                    phi_902_ = _e692.unnamed_1.word;
                                 } else {
-                                    phi_894_ = _e689.unnamed_1.first_primitive;
+                                    phi_902_ = _e692.unnamed_1.shift;
                                 }
-                                let _e821 = phi_894_;
-                                if (_e773 == 0u) {
-                                    phi_904_ = _e758.unnamed_1.root;
+                                let _e824 = phi_902_;
+                                if (_e776 == 0u) {
+                                    phi_912_ = _e761.unnamed_1.word;
                                 } else {
-                                    phi_904_ = _e758.unnamed_1.first_primitive;
+                                    phi_912_ = _e761.unnamed_1.shift;
                                 }
-                                let _e830 = phi_904_;
-                                let _e843 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e812 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e311)), ((f32(((_e821 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e312)));
-                                let _e844 = core_intrinsics_minimum_number_nsz_f32_(_e843, ((f32(((_e830 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e535) + (_e553 + _e313)));
-                                if (_e809 <= _e844) {
-                                    if (_e809 <= _e114) {
-                                        if (_e844 >= 0f) {
-                                            if (_e773 == 0u) {
-                                                let _e851 = nodes.member[(0u + _e499)].links[2u];
-                                                phi_940_ = _e851;
+                                let _e833 = phi_912_;
+                                let _e846 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e815 >> bitcast<u32>(((_e777 * 8u) & 31u))) & 255u)) * _e536) + (_e554 + _e314)), ((f32(((_e824 >> bitcast<u32>(((_e777 * 8u) & 31u))) & 255u)) * _e537) + (_e555 + _e315)));
+                                let _e847 = core_intrinsics_minimum_number_nsz_f32_(_e846, ((f32(((_e833 >> bitcast<u32>(((_e777 * 8u) & 31u))) & 255u)) * _e538) + (_e556 + _e316)));
+                                if (_e812 <= _e847) {
+                                    if (_e812 <= _e117) {
+                                        if (_e847 >= 0f) {
+                                            if (_e776 == 0u) {
+                                                let _e854 = nodes.member[(0u + _e502)].links[2u];
+                                                phi_948_ = _e854;
                                             } else {
-                                                let _e854 = nodes.member[(0u + _e499)].links[3u];
-                                                phi_940_ = _e854;
+                                                let _e857 = nodes.member[(0u + _e502)].links[3u];
+                                                phi_948_ = _e857;
                                             }
-                                            let _e856 = phi_940_;
-                                            let _e861 = ((_e856 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u);
-                                            let _e862 = (_e861 & 31u);
-                                            if (_e862 >= 24u) {
-                                                phi_953_ = (24u + ((_e862 - 24u) ^ _e361));
+                                            let _e859 = phi_948_;
+                                            let _e864 = ((_e859 >> bitcast<u32>(((_e777 * 8u) & 31u))) & 255u);
+                                            let _e865 = (_e864 & 31u);
+                                            if (_e865 >= 24u) {
+                                                phi_961_ = (24u + ((_e865 - 24u) ^ _e364));
                                             } else {
-                                                phi_953_ = _e862;
+                                                phi_961_ = _e865;
                                             }
-                                            let _e868 = phi_953_;
-                                            phi_958_ = (_e770 | ((_e861 >> bitcast<u32>(5i)) << bitcast<u32>((_e868 & 31u))));
+                                            let _e871 = phi_961_;
+                                            phi_966_ = (_e773 | ((_e864 >> bitcast<u32>(5i)) << bitcast<u32>((_e871 & 31u))));
                                         } else {
-                                            phi_958_ = _e770;
+                                            phi_966_ = _e773;
                                         }
-                                        let _e876 = phi_958_;
-                                        phi_959_ = _e876;
+                                        let _e879 = phi_966_;
+                                        phi_967_ = _e879;
                                     } else {
-                                        phi_959_ = _e770;
+                                        phi_967_ = _e773;
                                     }
-                                    let _e878 = phi_959_;
-                                    phi_960_ = _e878;
+                                    let _e881 = phi_967_;
+                                    phi_968_ = _e881;
                                 } else {
-                                    phi_960_ = _e770;
+                                    phi_968_ = _e773;
                                 }
-                                let _e880 = phi_960_;
-                                phi_830_ = (_e768 + 1u);
-                                phi_833_ = _e880;
+                                let _e883 = phi_968_;
+                                phi_838_ = (_e771 + 1u);
+                                phi_841_ = _e883;
                             } else {
-                                phi_830_ = u32();
-                                phi_833_ = u32();
+                                phi_838_ = u32();
+                                phi_841_ = u32();
                             }
-                            let _e883 = phi_830_;
-                            let _e885 = phi_833_;
+                            let _e886 = phi_838_;
+                            let _e888 = phi_841_;
                             continue;
                             continuing {
-                                phi_829_ = _e883;
-                                phi_832_ = _e885;
-                                break if !(_e771);
+                                phi_837_ = _e886;
+                                phi_840_ = _e888;
+                                break if !(_e774);
                             }
                         }
-                        let _e889 = nodes.member[(0u + _e499)].links[0u];
-                        let _e893 = nodes.member[(0u + _e499)].frame[3u];
-                        let _e897 = local_1;
-                        if ((_e897 & 4278190080u) == 0u) {
+                        let _e892 = nodes.member[(0u + _e502)].links[0u];
+                        let _e896 = nodes.member[(0u + _e502)].frame[3u];
+                        let _e900 = local_1;
+                        if ((_e900 & 4278190080u) == 0u) {
                         } else {
-                            let _e901 = local.group_mask;
-                            if ((_e901 & 4278190080u) == 0u) {
+                            let _e904 = local.group_mask;
+                            if ((_e904 & 4278190080u) == 0u) {
                             } else {
-                                let _e905 = local.len;
-                                if (_e905 < 32u) {
-                                    let _e908 = local.group;
-                                    let _e910 = local.len;
-                                    if (_e910 < 32u) {
+                                let _e908 = local.len;
+                                if (_e908 < 32u) {
+                                    let _e911 = local.group;
+                                    let _e913 = local.len;
+                                    if (_e913 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e910)] = _e908;
-                                    let _e916 = local.group_mask;
-                                    let _e918 = local.len;
-                                    if (_e918 < 32u) {
+                                    local.first[(0u + _e913)] = _e911;
+                                    let _e919 = local.group_mask;
+                                    let _e921 = local.len;
+                                    if (_e921 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e918)] = _e916;
-                                    let _e925 = local.len;
-                                    local.len = (_e925 + 1u);
+                                    local.mask[(0u + _e921)] = _e919;
+                                    let _e928 = local.len;
+                                    local.len = (_e928 + 1u);
                                 }
                             }
-                            local.group = (0u + _e889);
-                            let _e929 = local_2;
-                            local.group_mask = ((_e929 & 4278190080u) | (_e893 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e892);
+                            let _e932 = local_2;
+                            local.group_mask = ((_e932 & 4278190080u) | (_e896 >> bitcast<u32>(24i)));
                         }
-                        let _e934 = local_3;
-                        phi_1018_ = (_e934 & 16777215u);
-                        phi_1021_ = _e501;
+                        let _e937 = local_3;
+                        phi_1026_ = (_e937 & 16777215u);
+                        phi_1029_ = _e504;
                         loop {
-                            let _e937 = phi_1018_;
-                            let _e939 = phi_1021_;
-                            local_6 = _e939;
-                            let _e940 = (_e937 == 0u);
-                            local_4 = _e940;
-                            local_7 = _e940;
-                            if _e940 {
-                                phi_1019_ = u32();
-                                phi_1022_ = bool();
-                                phi_1619_ = false;
+                            let _e940 = phi_1026_;
+                            let _e942 = phi_1029_;
+                            local_6 = _e942;
+                            let _e943 = (_e940 == 0u);
+                            local_4 = _e943;
+                            local_7 = _e943;
+                            if _e943 {
+                                phi_1027_ = u32();
+                                phi_1030_ = bool();
+                                phi_1627_ = false;
                             } else {
-                                let _e943 = nodes.member[(0u + _e499)].links[1u];
-                                let _e948 = ((0u + _e943) + select(firstTrailingBit(_e937), 32u, (_e937 == 0u)));
-                                if (_e948 < arrayLength((&triangles.member))) {
+                                let _e946 = nodes.member[(0u + _e502)].links[1u];
+                                let _e951 = ((0u + _e946) + select(firstTrailingBit(_e940), 32u, (_e940 == 0u)));
+                                if (_e951 < arrayLength((&triangles.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e955 = triangles.member[(0u + _e948)].v0_;
-                                let _e957 = (_e955.x - _e104);
-                                let _e959 = (_e955.y - _e106);
-                                let _e961 = (_e955.z - _e108);
-                                if (_e334 == 0u) {
-                                    phi_1066_ = vec3<f32>(_e959, _e961, _e957);
+                                let _e958 = triangles.member[(0u + _e951)].v0_;
+                                let _e960 = (_e958.x - _e107);
+                                let _e962 = (_e958.y - _e109);
+                                let _e964 = (_e958.z - _e111);
+                                if (_e337 == 0u) {
+                                    phi_1074_ = vec3<f32>(_e962, _e964, _e960);
                                 } else {
-                                    if (_e334 == 1u) {
-                                        phi_1065_ = vec3<f32>(_e961, _e957, _e959);
+                                    if (_e337 == 1u) {
+                                        phi_1073_ = vec3<f32>(_e964, _e960, _e962);
                                     } else {
-                                        phi_1065_ = (_e955 - vec3<f32>(_e104, _e106, _e108));
+                                        phi_1073_ = (_e958 - vec3<f32>(_e107, _e109, _e111));
                                     }
-                                    let _e969 = phi_1065_;
-                                    phi_1066_ = _e969;
+                                    let _e972 = phi_1073_;
+                                    phi_1074_ = _e972;
                                 }
-                                let _e971 = phi_1066_;
-                                let _e975 = (_e971.x - (_e345 * _e971.z));
-                                let _e979 = (_e971.y - (_e348 * _e971.z));
-                                let _e981 = triangles.member[(0u + _e948)].v1_;
-                                let _e983 = (_e981.x - _e104);
-                                let _e985 = (_e981.y - _e106);
-                                let _e987 = (_e981.z - _e108);
-                                if (_e334 == 0u) {
-                                    phi_1096_ = vec3<f32>(_e985, _e987, _e983);
+                                let _e974 = phi_1074_;
+                                let _e978 = (_e974.x - (_e348 * _e974.z));
+                                let _e982 = (_e974.y - (_e351 * _e974.z));
+                                let _e984 = triangles.member[(0u + _e951)].v1_;
+                                let _e986 = (_e984.x - _e107);
+                                let _e988 = (_e984.y - _e109);
+                                let _e990 = (_e984.z - _e111);
+                                if (_e337 == 0u) {
+                                    phi_1104_ = vec3<f32>(_e988, _e990, _e986);
                                 } else {
-                                    if (_e334 == 1u) {
-                                        phi_1095_ = vec3<f32>(_e987, _e983, _e985);
+                                    if (_e337 == 1u) {
+                                        phi_1103_ = vec3<f32>(_e990, _e986, _e988);
                                     } else {
-                                        phi_1095_ = (_e981 - vec3<f32>(_e104, _e106, _e108));
+                                        phi_1103_ = (_e984 - vec3<f32>(_e107, _e109, _e111));
                                     }
-                                    let _e995 = phi_1095_;
-                                    phi_1096_ = _e995;
+                                    let _e998 = phi_1103_;
+                                    phi_1104_ = _e998;
                                 }
-                                let _e997 = phi_1096_;
-                                let _e1001 = (_e997.x - (_e345 * _e997.z));
-                                let _e1005 = (_e997.y - (_e348 * _e997.z));
-                                let _e1007 = triangles.member[(0u + _e948)].v2_;
-                                let _e1009 = (_e1007.x - _e104);
-                                let _e1011 = (_e1007.y - _e106);
-                                let _e1013 = (_e1007.z - _e108);
-                                if (_e334 == 0u) {
-                                    phi_1126_ = vec3<f32>(_e1011, _e1013, _e1009);
+                                let _e1000 = phi_1104_;
+                                let _e1004 = (_e1000.x - (_e348 * _e1000.z));
+                                let _e1008 = (_e1000.y - (_e351 * _e1000.z));
+                                let _e1010 = triangles.member[(0u + _e951)].v2_;
+                                let _e1012 = (_e1010.x - _e107);
+                                let _e1014 = (_e1010.y - _e109);
+                                let _e1016 = (_e1010.z - _e111);
+                                if (_e337 == 0u) {
+                                    phi_1134_ = vec3<f32>(_e1014, _e1016, _e1012);
                                 } else {
-                                    if (_e334 == 1u) {
-                                        phi_1125_ = vec3<f32>(_e1013, _e1009, _e1011);
+                                    if (_e337 == 1u) {
+                                        phi_1133_ = vec3<f32>(_e1016, _e1012, _e1014);
                                     } else {
-                                        phi_1125_ = (_e1007 - vec3<f32>(_e104, _e106, _e108));
+                                        phi_1133_ = (_e1010 - vec3<f32>(_e107, _e109, _e111));
                                     }
-                                    let _e1021 = phi_1125_;
-                                    phi_1126_ = _e1021;
+                                    let _e1024 = phi_1133_;
+                                    phi_1134_ = _e1024;
                                 }
-                                let _e1023 = phi_1126_;
-                                let _e1027 = (_e1023.x - (_e345 * _e1023.z));
-                                let _e1031 = (_e1023.y - (_e348 * _e1023.z));
-                                if (_e1001 < _e1027) {
-                                    phi_1145_ = true;
+                                let _e1026 = phi_1134_;
+                                let _e1030 = (_e1026.x - (_e348 * _e1026.z));
+                                let _e1034 = (_e1026.y - (_e351 * _e1026.z));
+                                if (_e1004 < _e1030) {
+                                    phi_1153_ = true;
                                 } else {
-                                    if (_e1001 == _e1027) {
-                                        phi_1144_ = (_e1005 < _e1031);
+                                    if (_e1004 == _e1030) {
+                                        phi_1152_ = (_e1008 < _e1034);
                                     } else {
-                                        phi_1144_ = false;
+                                        phi_1152_ = false;
                                     }
-                                    let _e1036 = phi_1144_;
-                                    phi_1145_ = _e1036;
+                                    let _e1039 = phi_1152_;
+                                    phi_1153_ = _e1039;
                                 }
-                                let _e1038 = phi_1145_;
-                                if _e1038 {
-                                    phi_1149_ = _e1031;
-                                    phi_1150_ = _e1027;
-                                    phi_1151_ = _e1005;
-                                    phi_1152_ = _e1001;
+                                let _e1041 = phi_1153_;
+                                if _e1041 {
+                                    phi_1157_ = _e1034;
+                                    phi_1158_ = _e1030;
+                                    phi_1159_ = _e1008;
+                                    phi_1160_ = _e1004;
                                 } else {
-                                    phi_1149_ = _e1005;
-                                    phi_1150_ = _e1001;
-                                    phi_1151_ = _e1031;
-                                    phi_1152_ = _e1027;
+                                    phi_1157_ = _e1008;
+                                    phi_1158_ = _e1004;
+                                    phi_1159_ = _e1034;
+                                    phi_1160_ = _e1030;
                                 }
-                                let _e1040 = phi_1149_;
-                                let _e1042 = phi_1150_;
-                                let _e1044 = phi_1151_;
-                                let _e1046 = phi_1152_;
-                                let _e1049 = ((_e1046 * _e1040) - (_e1044 * _e1042));
-                                if _e1038 {
-                                    phi_1160_ = -(_e1049);
+                                let _e1043 = phi_1157_;
+                                let _e1045 = phi_1158_;
+                                let _e1047 = phi_1159_;
+                                let _e1049 = phi_1160_;
+                                let _e1052 = ((_e1049 * _e1043) - (_e1047 * _e1045));
+                                if _e1041 {
+                                    phi_1168_ = -(_e1052);
                                 } else {
-                                    phi_1160_ = _e1049;
+                                    phi_1168_ = _e1052;
                                 }
-                                let _e1052 = phi_1160_;
-                                if (_e1027 < _e975) {
-                                    phi_1171_ = true;
+                                let _e1055 = phi_1168_;
+                                if (_e1030 < _e978) {
+                                    phi_1179_ = true;
                                 } else {
-                                    if (_e1027 == _e975) {
-                                        phi_1170_ = (_e1031 < _e979);
+                                    if (_e1030 == _e978) {
+                                        phi_1178_ = (_e1034 < _e982);
                                     } else {
-                                        phi_1170_ = false;
+                                        phi_1178_ = false;
                                     }
-                                    let _e1057 = phi_1170_;
-                                    phi_1171_ = _e1057;
+                                    let _e1060 = phi_1178_;
+                                    phi_1179_ = _e1060;
                                 }
-                                let _e1059 = phi_1171_;
-                                if _e1059 {
-                                    phi_1175_ = _e979;
-                                    phi_1176_ = _e975;
-                                    phi_1177_ = _e1031;
-                                    phi_1178_ = _e1027;
+                                let _e1062 = phi_1179_;
+                                if _e1062 {
+                                    phi_1183_ = _e982;
+                                    phi_1184_ = _e978;
+                                    phi_1185_ = _e1034;
+                                    phi_1186_ = _e1030;
                                 } else {
-                                    phi_1175_ = _e1031;
-                                    phi_1176_ = _e1027;
-                                    phi_1177_ = _e979;
-                                    phi_1178_ = _e975;
+                                    phi_1183_ = _e1034;
+                                    phi_1184_ = _e1030;
+                                    phi_1185_ = _e982;
+                                    phi_1186_ = _e978;
                                 }
-                                let _e1061 = phi_1175_;
-                                let _e1063 = phi_1176_;
-                                let _e1065 = phi_1177_;
-                                let _e1067 = phi_1178_;
-                                let _e1070 = ((_e1067 * _e1061) - (_e1065 * _e1063));
-                                if _e1059 {
-                                    phi_1186_ = -(_e1070);
+                                let _e1064 = phi_1183_;
+                                let _e1066 = phi_1184_;
+                                let _e1068 = phi_1185_;
+                                let _e1070 = phi_1186_;
+                                let _e1073 = ((_e1070 * _e1064) - (_e1068 * _e1066));
+                                if _e1062 {
+                                    phi_1194_ = -(_e1073);
                                 } else {
-                                    phi_1186_ = _e1070;
+                                    phi_1194_ = _e1073;
                                 }
-                                let _e1073 = phi_1186_;
-                                if (_e975 < _e1001) {
-                                    phi_1197_ = true;
+                                let _e1076 = phi_1194_;
+                                if (_e978 < _e1004) {
+                                    phi_1205_ = true;
                                 } else {
-                                    if (_e975 == _e1001) {
-                                        phi_1196_ = (_e979 < _e1005);
+                                    if (_e978 == _e1004) {
+                                        phi_1204_ = (_e982 < _e1008);
                                     } else {
-                                        phi_1196_ = false;
+                                        phi_1204_ = false;
                                     }
-                                    let _e1078 = phi_1196_;
-                                    phi_1197_ = _e1078;
+                                    let _e1081 = phi_1204_;
+                                    phi_1205_ = _e1081;
                                 }
-                                let _e1080 = phi_1197_;
-                                if _e1080 {
-                                    phi_1201_ = _e1005;
-                                    phi_1202_ = _e1001;
-                                    phi_1203_ = _e979;
-                                    phi_1204_ = _e975;
+                                let _e1083 = phi_1205_;
+                                if _e1083 {
+                                    phi_1209_ = _e1008;
+                                    phi_1210_ = _e1004;
+                                    phi_1211_ = _e982;
+                                    phi_1212_ = _e978;
                                 } else {
-                                    phi_1201_ = _e979;
-                                    phi_1202_ = _e975;
-                                    phi_1203_ = _e1005;
-                                    phi_1204_ = _e1001;
+                                    phi_1209_ = _e982;
+                                    phi_1210_ = _e978;
+                                    phi_1211_ = _e1008;
+                                    phi_1212_ = _e1004;
                                 }
-                                let _e1082 = phi_1201_;
-                                let _e1084 = phi_1202_;
-                                let _e1086 = phi_1203_;
-                                let _e1088 = phi_1204_;
-                                let _e1091 = ((_e1088 * _e1082) - (_e1086 * _e1084));
-                                if _e1080 {
-                                    phi_1212_ = -(_e1091);
+                                let _e1085 = phi_1209_;
+                                let _e1087 = phi_1210_;
+                                let _e1089 = phi_1211_;
+                                let _e1091 = phi_1212_;
+                                let _e1094 = ((_e1091 * _e1085) - (_e1089 * _e1087));
+                                if _e1083 {
+                                    phi_1220_ = -(_e1094);
                                 } else {
-                                    phi_1212_ = _e1091;
+                                    phi_1220_ = _e1094;
                                 }
-                                let _e1094 = phi_1212_;
-                                if (_e1052 >= 0f) {
-                                    if (_e1073 >= 0f) {
-                                        if (_e1094 >= 0f) {
-                                            phi_1227_ = ((_e1052 + _e1073) + _e1094);
-                                            phi_1228_ = false;
+                                let _e1097 = phi_1220_;
+                                if (_e1055 >= 0f) {
+                                    if (_e1076 >= 0f) {
+                                        if (_e1097 >= 0f) {
+                                            phi_1235_ = ((_e1055 + _e1076) + _e1097);
+                                            phi_1236_ = false;
                                         } else {
-                                            phi_1227_ = f32();
-                                            phi_1228_ = true;
+                                            phi_1235_ = f32();
+                                            phi_1236_ = true;
                                         }
-                                        let _e1101 = phi_1227_;
-                                        let _e1103 = phi_1228_;
-                                        phi_1229_ = _e1101;
-                                        phi_1230_ = _e1103;
+                                        let _e1104 = phi_1235_;
+                                        let _e1106 = phi_1236_;
+                                        phi_1237_ = _e1104;
+                                        phi_1238_ = _e1106;
                                     } else {
-                                        phi_1229_ = f32();
-                                        phi_1230_ = true;
+                                        phi_1237_ = f32();
+                                        phi_1238_ = true;
                                     }
-                                    let _e1105 = phi_1229_;
-                                    let _e1107 = phi_1230_;
-                                    phi_1231_ = _e1105;
-                                    phi_1232_ = _e1107;
+                                    let _e1108 = phi_1237_;
+                                    let _e1110 = phi_1238_;
+                                    phi_1239_ = _e1108;
+                                    phi_1240_ = _e1110;
                                 } else {
-                                    phi_1231_ = f32();
-                                    phi_1232_ = true;
+                                    phi_1239_ = f32();
+                                    phi_1240_ = true;
                                 }
-                                let _e1109 = phi_1231_;
-                                let _e1111 = phi_1232_;
-                                if _e1111 {
-                                    if (_e1052 <= 0f) {
-                                        if (_e1073 <= 0f) {
-                                            let _e1114 = (_e1094 <= 0f);
-                                            if _e1114 {
+                                let _e1112 = phi_1239_;
+                                let _e1114 = phi_1240_;
+                                if _e1114 {
+                                    if (_e1055 <= 0f) {
+                                        if (_e1076 <= 0f) {
+                                            let _e1117 = (_e1097 <= 0f);
+                                            if _e1117 {
                                             }
-                                            phi_1250_ = ((_e1052 + _e1073) + _e1094);
-                                            phi_1251_ = false;
-                                            phi_1252_ = _e1114;
+                                            phi_1258_ = ((_e1055 + _e1076) + _e1097);
+                                            phi_1259_ = false;
+                                            phi_1260_ = _e1117;
                                         } else {
-                                            phi_1250_ = f32();
-                                            phi_1251_ = true;
-                                            phi_1252_ = false;
+                                            phi_1258_ = f32();
+                                            phi_1259_ = true;
+                                            phi_1260_ = false;
                                         }
-                                        let _e1118 = phi_1250_;
-                                        let _e1120 = phi_1251_;
-                                        let _e1122 = phi_1252_;
-                                        phi_1253_ = _e1118;
-                                        phi_1254_ = _e1120;
-                                        phi_1255_ = _e1122;
+                                        let _e1121 = phi_1258_;
+                                        let _e1123 = phi_1259_;
+                                        let _e1125 = phi_1260_;
+                                        phi_1261_ = _e1121;
+                                        phi_1262_ = _e1123;
+                                        phi_1263_ = _e1125;
                                     } else {
-                                        phi_1253_ = f32();
-                                        phi_1254_ = true;
-                                        phi_1255_ = false;
+                                        phi_1261_ = f32();
+                                        phi_1262_ = true;
+                                        phi_1263_ = false;
                                     }
-                                    let _e1124 = phi_1253_;
-                                    let _e1126 = phi_1254_;
-                                    let _e1128 = phi_1255_;
-                                    if _e1126 {
-                                        phi_1259_ = false;
+                                    let _e1127 = phi_1261_;
+                                    let _e1129 = phi_1262_;
+                                    let _e1131 = phi_1263_;
+                                    if _e1129 {
+                                        phi_1267_ = false;
                                     } else {
-                                        phi_1259_ = _e1128;
+                                        phi_1267_ = _e1131;
                                     }
-                                    let _e1130 = phi_1259_;
-                                    phi_1260_ = _e1124;
-                                    phi_1261_ = _e1130;
+                                    let _e1133 = phi_1267_;
+                                    phi_1268_ = _e1127;
+                                    phi_1269_ = _e1133;
                                 } else {
-                                    phi_1260_ = _e1109;
-                                    phi_1261_ = true;
+                                    phi_1268_ = _e1112;
+                                    phi_1269_ = true;
                                 }
-                                let _e1132 = phi_1260_;
-                                let _e1134 = phi_1261_;
-                                if _e1134 {
-                                    let _e1135 = (_e1132 == 0f);
-                                    if _e1135 {
-                                        phi_1577_ = lt_bvh_triangle_Intersection();
-                                        phi_1578_ = false;
+                                let _e1135 = phi_1268_;
+                                let _e1137 = phi_1269_;
+                                if _e1137 {
+                                    let _e1138 = (_e1135 == 0f);
+                                    if _e1138 {
+                                        phi_1585_ = lt_bvh_triangle_Intersection();
+                                        phi_1586_ = false;
                                     } else {
-                                        let _e1137 = triangles.member[(0u + _e948)].v0_;
-                                        let _e1139 = (_e1137.x - _e104);
-                                        let _e1141 = (_e1137.y - _e106);
-                                        let _e1143 = (_e1137.z - _e108);
-                                        if (_e334 == 0u) {
-                                            phi_1290_ = vec3<f32>(_e1141, _e1143, _e1139);
+                                        let _e1140 = triangles.member[(0u + _e951)].v0_;
+                                        let _e1142 = (_e1140.x - _e107);
+                                        let _e1144 = (_e1140.y - _e109);
+                                        let _e1146 = (_e1140.z - _e111);
+                                        if (_e337 == 0u) {
+                                            phi_1298_ = vec3<f32>(_e1144, _e1146, _e1142);
                                         } else {
-                                            if (_e334 == 1u) {
-                                                phi_1289_ = vec3<f32>(_e1143, _e1139, _e1141);
+                                            if (_e337 == 1u) {
+                                                phi_1297_ = vec3<f32>(_e1146, _e1142, _e1144);
                                             } else {
-                                                phi_1289_ = (_e1137 - vec3<f32>(_e104, _e106, _e108));
+                                                phi_1297_ = (_e1140 - vec3<f32>(_e107, _e109, _e111));
                                             }
-                                            let _e1151 = phi_1289_;
-                                            phi_1290_ = _e1151;
+                                            let _e1154 = phi_1297_;
+                                            phi_1298_ = _e1154;
                                         }
-                                        let _e1153 = phi_1290_;
-                                        let _e1155 = triangles.member[(0u + _e948)].v1_;
-                                        let _e1157 = triangles.member[(0u + _e948)].v0_;
-                                        let _e1160 = (_e1155.x - _e1157.x);
-                                        let _e1163 = (_e1155.y - _e1157.y);
-                                        let _e1166 = (_e1155.z - _e1157.z);
-                                        if (_e334 == 0u) {
-                                            phi_1316_ = vec3<f32>(_e1163, _e1166, _e1160);
+                                        let _e1156 = phi_1298_;
+                                        let _e1158 = triangles.member[(0u + _e951)].v1_;
+                                        let _e1160 = triangles.member[(0u + _e951)].v0_;
+                                        let _e1163 = (_e1158.x - _e1160.x);
+                                        let _e1166 = (_e1158.y - _e1160.y);
+                                        let _e1169 = (_e1158.z - _e1160.z);
+                                        if (_e337 == 0u) {
+                                            phi_1324_ = vec3<f32>(_e1166, _e1169, _e1163);
                                         } else {
-                                            if (_e334 == 1u) {
-                                                phi_1315_ = vec3<f32>(_e1166, _e1160, _e1163);
+                                            if (_e337 == 1u) {
+                                                phi_1323_ = vec3<f32>(_e1169, _e1163, _e1166);
                                             } else {
-                                                phi_1315_ = (_e1155 - _e1157);
+                                                phi_1323_ = (_e1158 - _e1160);
                                             }
-                                            let _e1173 = phi_1315_;
-                                            phi_1316_ = _e1173;
+                                            let _e1176 = phi_1323_;
+                                            phi_1324_ = _e1176;
                                         }
-                                        let _e1175 = phi_1316_;
-                                        let _e1177 = triangles.member[(0u + _e948)].v2_;
-                                        let _e1179 = triangles.member[(0u + _e948)].v0_;
-                                        let _e1182 = (_e1177.x - _e1179.x);
-                                        let _e1185 = (_e1177.y - _e1179.y);
-                                        let _e1188 = (_e1177.z - _e1179.z);
-                                        if (_e334 == 0u) {
-                                            phi_1342_ = vec3<f32>(_e1185, _e1188, _e1182);
+                                        let _e1178 = phi_1324_;
+                                        let _e1180 = triangles.member[(0u + _e951)].v2_;
+                                        let _e1182 = triangles.member[(0u + _e951)].v0_;
+                                        let _e1185 = (_e1180.x - _e1182.x);
+                                        let _e1188 = (_e1180.y - _e1182.y);
+                                        let _e1191 = (_e1180.z - _e1182.z);
+                                        if (_e337 == 0u) {
+                                            phi_1350_ = vec3<f32>(_e1188, _e1191, _e1185);
                                         } else {
-                                            if (_e334 == 1u) {
-                                                phi_1341_ = vec3<f32>(_e1188, _e1182, _e1185);
+                                            if (_e337 == 1u) {
+                                                phi_1349_ = vec3<f32>(_e1191, _e1185, _e1188);
                                             } else {
-                                                phi_1341_ = (_e1177 - _e1179);
+                                                phi_1349_ = (_e1180 - _e1182);
                                             }
-                                            let _e1195 = phi_1341_;
-                                            phi_1342_ = _e1195;
+                                            let _e1198 = phi_1349_;
+                                            phi_1350_ = _e1198;
                                         }
-                                        let _e1197 = phi_1342_;
-                                        let _e1204 = ((_e1175.y * _e1197.z) - (_e1175.z * _e1197.y));
-                                        let _e1211 = ((_e1175.z * _e1197.x) - (_e1175.x * _e1197.z));
-                                        let _e1218 = ((_e1175.x * _e1197.y) - (_e1175.y * _e1197.x));
-                                        let _e1232 = (((1f / _e342.z) * (((_e1204 * _e1153.x) + (_e1211 * _e1153.y)) + (_e1218 * _e1153.z))) / (((_e1204 * _e345) + (_e1211 * _e348)) + _e1218));
-                                        if (_e1232 > 0f) {
-                                            if (_e1232 < _e114) {
-                                                let _e1236 = triangles.member[(0u + _e948)].v0_;
-                                                let _e1238 = triangles.member[(0u + _e948)].v1_;
-                                                if (_e1236.x < _e1238.x) {
-                                                    phi_1398_ = _e1236.x;
+                                        let _e1200 = phi_1350_;
+                                        let _e1207 = ((_e1178.y * _e1200.z) - (_e1178.z * _e1200.y));
+                                        let _e1214 = ((_e1178.z * _e1200.x) - (_e1178.x * _e1200.z));
+                                        let _e1221 = ((_e1178.x * _e1200.y) - (_e1178.y * _e1200.x));
+                                        let _e1235 = (((1f / _e345.z) * (((_e1207 * _e1156.x) + (_e1214 * _e1156.y)) + (_e1221 * _e1156.z))) / (((_e1207 * _e348) + (_e1214 * _e351)) + _e1221));
+                                        if (_e1235 > 0f) {
+                                            if (_e1235 < _e117) {
+                                                let _e1239 = triangles.member[(0u + _e951)].v0_;
+                                                let _e1241 = triangles.member[(0u + _e951)].v1_;
+                                                if (_e1239.x < _e1241.x) {
+                                                    phi_1406_ = _e1239.x;
                                                 } else {
-                                                    phi_1398_ = _e1238.x;
+                                                    phi_1406_ = _e1241.x;
                                                 }
-                                                let _e1245 = phi_1398_;
-                                                if (_e1236.y < _e1238.y) {
-                                                    phi_1407_ = _e1236.y;
+                                                let _e1248 = phi_1406_;
+                                                if (_e1239.y < _e1241.y) {
+                                                    phi_1415_ = _e1239.y;
                                                 } else {
-                                                    phi_1407_ = _e1238.y;
+                                                    phi_1415_ = _e1241.y;
                                                 }
-                                                let _e1252 = phi_1407_;
-                                                if (_e1236.z < _e1238.z) {
-                                                    phi_1416_ = _e1236.z;
+                                                let _e1255 = phi_1415_;
+                                                if (_e1239.z < _e1241.z) {
+                                                    phi_1424_ = _e1239.z;
                                                 } else {
-                                                    phi_1416_ = _e1238.z;
+                                                    phi_1424_ = _e1241.z;
                                                 }
-                                                let _e1259 = phi_1416_;
-                                                let _e1261 = triangles.member[(0u + _e948)].v2_;
-                                                if (_e1245 < _e1261.x) {
-                                                    phi_1425_ = _e1245;
+                                                let _e1262 = phi_1424_;
+                                                let _e1264 = triangles.member[(0u + _e951)].v2_;
+                                                if (_e1248 < _e1264.x) {
+                                                    phi_1433_ = _e1248;
                                                 } else {
-                                                    phi_1425_ = _e1261.x;
+                                                    phi_1433_ = _e1264.x;
                                                 }
-                                                let _e1266 = phi_1425_;
-                                                if (_e1252 < _e1261.y) {
-                                                    phi_1432_ = _e1252;
+                                                let _e1269 = phi_1433_;
+                                                if (_e1255 < _e1264.y) {
+                                                    phi_1440_ = _e1255;
                                                 } else {
-                                                    phi_1432_ = _e1261.y;
+                                                    phi_1440_ = _e1264.y;
                                                 }
-                                                let _e1271 = phi_1432_;
-                                                if (_e1259 < _e1261.z) {
-                                                    phi_1439_ = _e1259;
+                                                let _e1274 = phi_1440_;
+                                                if (_e1262 < _e1264.z) {
+                                                    phi_1447_ = _e1262;
                                                 } else {
-                                                    phi_1439_ = _e1261.z;
+                                                    phi_1447_ = _e1264.z;
                                                 }
-                                                let _e1276 = phi_1439_;
-                                                let _e1278 = triangles.member[(0u + _e948)].v0_;
-                                                let _e1280 = triangles.member[(0u + _e948)].v1_;
-                                                if (_e1278.x > _e1280.x) {
-                                                    phi_1452_ = _e1278.x;
+                                                let _e1279 = phi_1447_;
+                                                let _e1281 = triangles.member[(0u + _e951)].v0_;
+                                                let _e1283 = triangles.member[(0u + _e951)].v1_;
+                                                if (_e1281.x > _e1283.x) {
+                                                    phi_1460_ = _e1281.x;
                                                 } else {
-                                                    phi_1452_ = _e1280.x;
+                                                    phi_1460_ = _e1283.x;
                                                 }
-                                                let _e1287 = phi_1452_;
-                                                if (_e1278.y > _e1280.y) {
-                                                    phi_1461_ = _e1278.y;
+                                                let _e1290 = phi_1460_;
+                                                if (_e1281.y > _e1283.y) {
+                                                    phi_1469_ = _e1281.y;
                                                 } else {
-                                                    phi_1461_ = _e1280.y;
+                                                    phi_1469_ = _e1283.y;
                                                 }
-                                                let _e1294 = phi_1461_;
-                                                if (_e1278.z > _e1280.z) {
-                                                    phi_1470_ = _e1278.z;
+                                                let _e1297 = phi_1469_;
+                                                if (_e1281.z > _e1283.z) {
+                                                    phi_1478_ = _e1281.z;
                                                 } else {
-                                                    phi_1470_ = _e1280.z;
+                                                    phi_1478_ = _e1283.z;
                                                 }
-                                                let _e1301 = phi_1470_;
-                                                let _e1303 = triangles.member[(0u + _e948)].v2_;
-                                                if (_e1287 > _e1303.x) {
-                                                    phi_1479_ = _e1287;
+                                                let _e1304 = phi_1478_;
+                                                let _e1306 = triangles.member[(0u + _e951)].v2_;
+                                                if (_e1290 > _e1306.x) {
+                                                    phi_1487_ = _e1290;
                                                 } else {
-                                                    phi_1479_ = _e1303.x;
+                                                    phi_1487_ = _e1306.x;
                                                 }
-                                                let _e1308 = phi_1479_;
-                                                if (_e1294 > _e1303.y) {
-                                                    phi_1486_ = _e1294;
+                                                let _e1311 = phi_1487_;
+                                                if (_e1297 > _e1306.y) {
+                                                    phi_1494_ = _e1297;
                                                 } else {
-                                                    phi_1486_ = _e1303.y;
+                                                    phi_1494_ = _e1306.y;
                                                 }
-                                                let _e1313 = phi_1486_;
-                                                if (_e1301 > _e1303.z) {
-                                                    phi_1493_ = _e1301;
+                                                let _e1316 = phi_1494_;
+                                                if (_e1304 > _e1306.z) {
+                                                    phi_1501_ = _e1304;
                                                 } else {
-                                                    phi_1493_ = _e1303.z;
+                                                    phi_1501_ = _e1306.z;
                                                 }
-                                                let _e1318 = phi_1493_;
-                                                let _e1322 = ((_e1266 - _e104) * _e263);
-                                                let _e1323 = ((_e1271 - _e106) * _e273);
-                                                let _e1324 = ((_e1276 - _e108) * _e283);
-                                                let _e1328 = ((_e1308 - _e104) * _e263);
-                                                let _e1329 = ((_e1313 - _e106) * _e273);
-                                                let _e1330 = ((_e1318 - _e108) * _e283);
-                                                if (_e1322 < _e1328) {
-                                                    phi_1510_ = _e1322;
+                                                let _e1321 = phi_1501_;
+                                                let _e1325 = ((_e1269 - _e107) * _e266);
+                                                let _e1326 = ((_e1274 - _e109) * _e276);
+                                                let _e1327 = ((_e1279 - _e111) * _e286);
+                                                let _e1331 = ((_e1311 - _e107) * _e266);
+                                                let _e1332 = ((_e1316 - _e109) * _e276);
+                                                let _e1333 = ((_e1321 - _e111) * _e286);
+                                                if (_e1325 < _e1331) {
+                                                    phi_1518_ = _e1325;
                                                 } else {
-                                                    phi_1510_ = _e1328;
+                                                    phi_1518_ = _e1331;
                                                 }
-                                                let _e1333 = phi_1510_;
-                                                if (_e1323 < _e1329) {
-                                                    phi_1515_ = _e1323;
+                                                let _e1336 = phi_1518_;
+                                                if (_e1326 < _e1332) {
+                                                    phi_1523_ = _e1326;
                                                 } else {
-                                                    phi_1515_ = _e1329;
+                                                    phi_1523_ = _e1332;
                                                 }
-                                                let _e1336 = phi_1515_;
-                                                if (_e1324 < _e1330) {
-                                                    phi_1520_ = _e1324;
+                                                let _e1339 = phi_1523_;
+                                                if (_e1327 < _e1333) {
+                                                    phi_1528_ = _e1327;
                                                 } else {
-                                                    phi_1520_ = _e1330;
+                                                    phi_1528_ = _e1333;
                                                 }
-                                                let _e1339 = phi_1520_;
-                                                if (_e1322 > _e1328) {
-                                                    phi_1528_ = _e1322;
+                                                let _e1342 = phi_1528_;
+                                                if (_e1325 > _e1331) {
+                                                    phi_1536_ = _e1325;
                                                 } else {
-                                                    phi_1528_ = _e1328;
+                                                    phi_1536_ = _e1331;
                                                 }
-                                                let _e1345 = phi_1528_;
-                                                if (_e1323 > _e1329) {
-                                                    phi_1533_ = _e1323;
+                                                let _e1348 = phi_1536_;
+                                                if (_e1326 > _e1332) {
+                                                    phi_1541_ = _e1326;
                                                 } else {
-                                                    phi_1533_ = _e1329;
+                                                    phi_1541_ = _e1332;
                                                 }
-                                                let _e1348 = phi_1533_;
-                                                if (_e1324 > _e1330) {
-                                                    phi_1538_ = _e1324;
+                                                let _e1351 = phi_1541_;
+                                                if (_e1327 > _e1333) {
+                                                    phi_1546_ = _e1327;
                                                 } else {
-                                                    phi_1538_ = _e1330;
+                                                    phi_1546_ = _e1333;
                                                 }
-                                                let _e1351 = phi_1538_;
-                                                let _e1355 = core_intrinsics_maximum_number_nsz_f32_((_e1333 - _e318), (_e1336 - _e319));
-                                                let _e1356 = core_intrinsics_maximum_number_nsz_f32_(_e1355, (_e1339 - _e320));
-                                                let _e1357 = core_intrinsics_minimum_number_nsz_f32_((_e1345 + _e318), (_e1348 + _e319));
-                                                let _e1358 = core_intrinsics_minimum_number_nsz_f32_(_e1357, (_e1351 + _e320));
-                                                if (_e1356 > -300000000000000000000000000000000000000f) {
-                                                    phi_1550_ = _e1356;
+                                                let _e1354 = phi_1546_;
+                                                let _e1358 = core_intrinsics_maximum_number_nsz_f32_((_e1336 - _e321), (_e1339 - _e322));
+                                                let _e1359 = core_intrinsics_maximum_number_nsz_f32_(_e1358, (_e1342 - _e323));
+                                                let _e1360 = core_intrinsics_minimum_number_nsz_f32_((_e1348 + _e321), (_e1351 + _e322));
+                                                let _e1361 = core_intrinsics_minimum_number_nsz_f32_(_e1360, (_e1354 + _e323));
+                                                if (_e1359 > -300000000000000000000000000000000000000f) {
+                                                    phi_1558_ = _e1359;
                                                 } else {
-                                                    phi_1550_ = -300000000000000000000000000000000000000f;
+                                                    phi_1558_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1361 = phi_1550_;
-                                                if (_e1358 < 300000000000000000000000000000000000000f) {
-                                                    phi_1555_ = _e1358;
+                                                let _e1364 = phi_1558_;
+                                                if (_e1361 < 300000000000000000000000000000000000000f) {
+                                                    phi_1563_ = _e1361;
                                                 } else {
-                                                    phi_1555_ = 300000000000000000000000000000000000000f;
+                                                    phi_1563_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1364 = phi_1555_;
-                                                if (_e1232 < _e1361) {
-                                                    phi_1560_ = _e1361;
+                                                let _e1367 = phi_1563_;
+                                                if (_e1235 < _e1364) {
+                                                    phi_1568_ = _e1364;
                                                 } else {
-                                                    phi_1560_ = _e1232;
+                                                    phi_1568_ = _e1235;
                                                 }
-                                                let _e1367 = phi_1560_;
-                                                if (_e1367 > _e1364) {
-                                                    phi_1565_ = _e1364;
+                                                let _e1370 = phi_1568_;
+                                                if (_e1370 > _e1367) {
+                                                    phi_1573_ = _e1367;
                                                 } else {
-                                                    phi_1565_ = _e1367;
+                                                    phi_1573_ = _e1370;
                                                 }
-                                                let _e1370 = phi_1565_;
-                                                phi_1570_ = lt_bvh_triangle_Intersection(_e1370, (_e1073 / _e1132), (_e1094 / _e1132), (_e1361 <= _e1364));
-                                                phi_1571_ = false;
+                                                let _e1373 = phi_1573_;
+                                                phi_1578_ = lt_bvh_triangle_Intersection(_e1373, (_e1076 / _e1135), (_e1097 / _e1135), (_e1364 <= _e1367));
+                                                phi_1579_ = false;
                                             } else {
-                                                phi_1570_ = lt_bvh_triangle_Intersection();
-                                                phi_1571_ = true;
+                                                phi_1578_ = lt_bvh_triangle_Intersection();
+                                                phi_1579_ = true;
                                             }
-                                            let _e1376 = phi_1570_;
-                                            let _e1378 = phi_1571_;
-                                            phi_1572_ = _e1376;
-                                            phi_1573_ = _e1378;
+                                            let _e1379 = phi_1578_;
+                                            let _e1381 = phi_1579_;
+                                            phi_1580_ = _e1379;
+                                            phi_1581_ = _e1381;
                                         } else {
-                                            phi_1572_ = lt_bvh_triangle_Intersection();
-                                            phi_1573_ = true;
+                                            phi_1580_ = lt_bvh_triangle_Intersection();
+                                            phi_1581_ = true;
                                         }
-                                        let _e1380 = phi_1572_;
-                                        let _e1382 = phi_1573_;
-                                        if _e1382 {
+                                        let _e1383 = phi_1580_;
+                                        let _e1385 = phi_1581_;
+                                        if _e1385 {
                                         }
-                                        phi_1577_ = _e1380;
-                                        phi_1578_ = _e1382;
+                                        phi_1585_ = _e1383;
+                                        phi_1586_ = _e1385;
                                     }
-                                    let _e1384 = phi_1577_;
-                                    let _e1386 = phi_1578_;
-                                    phi_1579_ = _e1384;
-                                    phi_1580_ = _e1135;
-                                    phi_1581_ = _e1386;
+                                    let _e1387 = phi_1585_;
+                                    let _e1389 = phi_1586_;
+                                    phi_1587_ = _e1387;
+                                    phi_1588_ = _e1138;
+                                    phi_1589_ = _e1389;
                                 } else {
-                                    phi_1579_ = lt_bvh_triangle_Intersection();
-                                    phi_1580_ = true;
-                                    phi_1581_ = false;
+                                    phi_1587_ = lt_bvh_triangle_Intersection();
+                                    phi_1588_ = true;
+                                    phi_1589_ = false;
                                 }
-                                let _e1388 = phi_1579_;
-                                let _e1390 = phi_1580_;
-                                let _e1392 = phi_1581_;
-                                if _e1390 {
-                                    phi_1585_ = true;
+                                let _e1391 = phi_1587_;
+                                let _e1393 = phi_1588_;
+                                let _e1395 = phi_1589_;
+                                if _e1393 {
+                                    phi_1593_ = true;
                                 } else {
-                                    phi_1585_ = _e1392;
+                                    phi_1593_ = _e1395;
                                 }
-                                let _e1394 = phi_1585_;
-                                if _e1394 {
-                                    phi_1589_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1397 = phi_1593_;
+                                if _e1397 {
+                                    phi_1597_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1589_ = _e1388;
+                                    phi_1597_ = _e1391;
                                 }
-                                let _e1396 = phi_1589_;
-                                if _e1396.is_hit {
-                                    if (_e1396.t > 0f) {
-                                        if (_e1396.t < _e114) {
+                                let _e1399 = phi_1597_;
+                                if _e1399.is_hit {
+                                    if (_e1399.t > 0f) {
+                                        if (_e1399.t < _e117) {
                                             if true {
-                                                phi_1609_ = false;
+                                                phi_1617_ = false;
                                             } else {
-                                                phi_1609_ = true;
+                                                phi_1617_ = true;
                                             }
-                                            let _e1405 = phi_1609_;
-                                            phi_1610_ = true;
-                                            phi_1611_ = _e1405;
+                                            let _e1408 = phi_1617_;
+                                            phi_1618_ = true;
+                                            phi_1619_ = _e1408;
                                         } else {
-                                            phi_1610_ = _e939;
-                                            phi_1611_ = true;
+                                            phi_1618_ = _e942;
+                                            phi_1619_ = true;
                                         }
-                                        let _e1407 = phi_1610_;
-                                        let _e1409 = phi_1611_;
-                                        phi_1612_ = _e1407;
-                                        phi_1613_ = _e1409;
+                                        let _e1410 = phi_1618_;
+                                        let _e1412 = phi_1619_;
+                                        phi_1620_ = _e1410;
+                                        phi_1621_ = _e1412;
                                     } else {
-                                        phi_1612_ = _e939;
-                                        phi_1613_ = true;
+                                        phi_1620_ = _e942;
+                                        phi_1621_ = true;
                                     }
-                                    let _e1411 = phi_1612_;
-                                    let _e1413 = phi_1613_;
-                                    phi_1614_ = _e1411;
-                                    phi_1615_ = _e1413;
+                                    let _e1414 = phi_1620_;
+                                    let _e1416 = phi_1621_;
+                                    phi_1622_ = _e1414;
+                                    phi_1623_ = _e1416;
                                 } else {
-                                    phi_1614_ = _e939;
-                                    phi_1615_ = true;
+                                    phi_1622_ = _e942;
+                                    phi_1623_ = true;
                                 }
-                                let _e1415 = phi_1614_;
-                                let _e1417 = phi_1615_;
-                                if _e1417 {
+                                let _e1418 = phi_1622_;
+                                let _e1420 = phi_1623_;
+                                if _e1420 {
                                 }
-                                phi_1019_ = (_e937 & (_e937 - 1u));
-                                phi_1022_ = _e1415;
-                                phi_1619_ = _e1417;
+                                phi_1027_ = (_e940 & (_e940 - 1u));
+                                phi_1030_ = _e1418;
+                                phi_1627_ = _e1420;
                             }
-                            let _e1419 = phi_1019_;
-                            let _e1421 = phi_1022_;
-                            let _e1423 = phi_1619_;
+                            let _e1422 = phi_1027_;
+                            let _e1424 = phi_1030_;
+                            let _e1426 = phi_1627_;
                             continue;
                             continuing {
-                                phi_1018_ = _e1419;
-                                phi_1021_ = _e1421;
-                                break if !(_e1423);
+                                phi_1026_ = _e1422;
+                                phi_1029_ = _e1424;
+                                break if !(_e1426);
                             }
                         }
-                        let _e1426 = local_4;
-                        if _e1426 {
-                            let _e1428 = local.group_mask;
-                            if ((_e1428 & 4278190080u) == 0u) {
-                                let _e1432 = local.len;
-                                if (_e1432 == 0u) {
-                                    phi_1661_ = false;
+                        let _e1429 = local_4;
+                        if _e1429 {
+                            let _e1431 = local.group_mask;
+                            if ((_e1431 & 4278190080u) == 0u) {
+                                let _e1435 = local.len;
+                                if (_e1435 == 0u) {
+                                    phi_1669_ = false;
                                 } else {
-                                    let _e1436 = local.len;
-                                    local.len = (_e1436 - 1u);
                                     let _e1439 = local.len;
-                                    if (_e1439 < 32u) {
+                                    local.len = (_e1439 - 1u);
+                                    let _e1442 = local.len;
+                                    if (_e1442 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1444 = local.first[(0u + _e1439)];
-                                    local.group = _e1444;
-                                    let _e1447 = local.len;
-                                    if (_e1447 < 32u) {
+                                    let _e1447 = local.first[(0u + _e1442)];
+                                    local.group = _e1447;
+                                    let _e1450 = local.len;
+                                    if (_e1450 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1452 = local.mask[(0u + _e1447)];
-                                    local.group_mask = _e1452;
-                                    phi_1661_ = true;
+                                    let _e1455 = local.mask[(0u + _e1450)];
+                                    local.group_mask = _e1455;
+                                    phi_1669_ = true;
                                 }
-                                let _e1455 = phi_1661_;
-                                phi_1662_ = _e1455;
+                                let _e1458 = phi_1669_;
+                                phi_1670_ = _e1458;
                             } else {
-                                phi_1662_ = true;
+                                phi_1670_ = true;
                             }
-                            let _e1457 = phi_1662_;
-                            if _e1457 {
-                                let _e1459 = local.group_mask;
-                                let _e1465 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1459)), 32u, (_e1459 == 0u)));
-                                let _e1469 = local.group_mask;
-                                let _e1483 = local.group_mask;
-                                local.group_mask = (_e1483 & ~((1u << bitcast<u32>((_e1465 & 31u)))));
-                                let _e1486 = local.group;
-                                phi_1693_ = (_e1486 + countOneBits(((_e1469 & ~((4294967295u << bitcast<u32>((((_e1465 - 24u) ^ _e361) & 31u))))) & 255u)));
+                            let _e1460 = phi_1670_;
+                            if _e1460 {
+                                let _e1462 = local.group_mask;
+                                let _e1468 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1462)), 32u, (_e1462 == 0u)));
+                                let _e1472 = local.group_mask;
+                                let _e1486 = local.group_mask;
+                                local.group_mask = (_e1486 & ~((1u << bitcast<u32>((_e1468 & 31u)))));
+                                let _e1489 = local.group;
+                                phi_1701_ = (_e1489 + countOneBits(((_e1472 & ~((4294967295u << bitcast<u32>((((_e1468 - 24u) ^ _e364) & 31u))))) & 255u)));
                             } else {
-                                phi_1693_ = 4294967295u;
+                                phi_1701_ = 4294967295u;
                             }
-                            let _e1489 = phi_1693_;
-                            phi_1694_ = _e1489;
+                            let _e1492 = phi_1701_;
+                            phi_1702_ = _e1492;
                         } else {
-                            phi_1694_ = u32();
+                            phi_1702_ = u32();
                         }
-                        let _e1491 = phi_1694_;
-                        phi_687_ = _e1491;
-                        let _e1715 = local_6;
-                        phi_690_ = _e1715;
-                        let _e1718 = local_7;
-                        phi_1695_ = _e1718;
-                        phi_1696_ = false;
+                        let _e1494 = phi_1702_;
+                        phi_695_ = _e1494;
+                        let _e1782 = local_6;
+                        phi_698_ = _e1782;
+                        let _e1785 = local_7;
+                        phi_1703_ = _e1785;
+                        phi_1704_ = false;
                     } else {
-                        phi_687_ = u32();
-                        phi_690_ = bool();
-                        phi_1695_ = false;
-                        phi_1696_ = true;
+                        phi_695_ = u32();
+                        phi_698_ = bool();
+                        phi_1703_ = false;
+                        phi_1704_ = true;
                     }
-                    let _e1493 = phi_687_;
-                    let _e1495 = phi_690_;
-                    let _e1497 = phi_1695_;
-                    let _e1499 = phi_1696_;
-                    local_5 = _e1499;
+                    let _e1496 = phi_695_;
+                    let _e1498 = phi_698_;
+                    let _e1500 = phi_1703_;
+                    let _e1502 = phi_1704_;
+                    local_5 = _e1502;
                     continue;
                     continuing {
-                        phi_686_ = _e1493;
-                        phi_689_ = _e1495;
-                        break if !(_e1497);
+                        phi_694_ = _e1496;
+                        phi_697_ = _e1498;
+                        break if !(_e1500);
                     }
                 }
-                let _e1502 = local_5;
-                if _e1502 {
-                    phi_1700_ = false;
+                let _e1505 = local_5;
+                if _e1505 {
+                    phi_1708_ = false;
                 } else {
-                    phi_1700_ = true;
+                    phi_1708_ = true;
                 }
-                let _e1504 = phi_1700_;
-                if _e1504 {
-                    phi_1704_ = true;
+                let _e1507 = phi_1708_;
+                if _e1507 {
+                    phi_1712_ = true;
                 } else {
-                    let _e1724 = local_8;
-                    phi_1704_ = _e1724;
+                    let _e1791 = local_8;
+                    phi_1712_ = _e1791;
                 }
-                let _e1506 = phi_1704_;
-                phi_1705_ = _e1506;
+                let _e1509 = phi_1712_;
+                phi_1713_ = _e1509;
             }
-            let _e1508 = phi_1705_;
-            phi_1706_ = _e1508;
-            phi_1707_ = _e187;
+            let _e1511 = phi_1713_;
+            phi_1714_ = _e1511;
+            phi_1715_ = _e190;
         } else {
-            phi_1706_ = bool();
-            phi_1707_ = true;
+            phi_1714_ = bool();
+            phi_1715_ = true;
         }
-        let _e1510 = phi_1706_;
-        let _e1512 = phi_1707_;
-        if _e1512 {
-            phi_1711_ = false;
+        let _e1513 = phi_1714_;
+        let _e1515 = phi_1715_;
+        if _e1515 {
+            phi_1719_ = false;
         } else {
-            phi_1711_ = _e1510;
+            phi_1719_ = _e1513;
         }
-        let _e1514 = phi_1711_;
-        if _e1514 {
-            phi_1715_ = 0f;
+        let _e1517 = phi_1719_;
+        if _e1517 {
+            phi_1723_ = 0f;
         } else {
-            phi_1715_ = 1f;
+            phi_1723_ = 1f;
         }
-        let _e1516 = phi_1715_;
-        if (_e84 < _e65) {
-        } else {
-            return;
-        }
-        visibility.member[(0u + _e84)] = _e1516;
-        if (_e84 < _e71) {
+        let _e1519 = phi_1723_;
+        if (_e87 < _e68) {
         } else {
             return;
         }
-        let _e1523 = bits.member[(0u + _e84)];
-        if ((_e1523 & 2u) == 0u) {
-            phi_1736_ = (_e1523 & 1u);
-        } else {
-            phi_1736_ = (_e1523 & 7u);
-        }
-        let _e1529 = phi_1736_;
-        if (_e84 < _e65) {
-        } else {
-            return;
-        }
-        let _e1533 = visibility.member[(0u + _e84)];
-        if ((_e1529 & 1u) != 0u) {
-            phi_1751_ = (2u | 1u);
-        } else {
-            phi_1751_ = 2u;
-        }
-        let _e1539 = phi_1751_;
-        if (_e1533 < 0.5f) {
-            phi_1756_ = (_e1539 | 4u);
-        } else {
-            phi_1756_ = _e1539;
-        }
-        let _e1542 = phi_1756_;
-        if (_e84 < _e71) {
+        visibility.member[(0u + _e87)] = _e1519;
+        let _e1525 = p.member.light.number;
+        let _e1526 = (_e1525 * 3u);
+        let _e1527 = (_e1526 / 32u);
+        let _e1528 = (_e1526 % 32u);
+        let _e1530 = p.member.light.mask_words;
+        if (_e87 < _e68) {
         } else {
             return;
         }
-        bits.member[(0u + _e84)] = _e1542;
+        let _e1534 = visibility.member[(0u + _e87)];
+        let _e1536 = ((_e87 * _e1530) + _e1527);
+        if (_e1528 > 29u) {
+            let _e1538 = (_e1536 + 1u);
+            if (_e1538 < _e74) {
+            } else {
+                return;
+            }
+            let _e1542 = bits.member[(0u + _e1538)];
+            phi_1764_ = _e1542;
+        } else {
+            phi_1764_ = 0u;
+        }
+        let _e1544 = phi_1764_;
+        if (_e1536 < _e74) {
+        } else {
+            return;
+        }
+        let _e1548 = bits.member[(0u + _e1536)];
+        let _e1551 = (_e1548 >> bitcast<u32>((_e1528 & 31u)));
+        if (_e1528 > 29u) {
+            phi_1783_ = (_e1551 | (_e1544 << bitcast<u32>(((32u - _e1528) & 31u))));
+        } else {
+            phi_1783_ = _e1551;
+        }
+        let _e1559 = phi_1783_;
+        if ((_e1559 & 2u) == 0u) {
+            phi_1791_ = (_e1559 & 1u);
+        } else {
+            phi_1791_ = (_e1559 & 7u);
+        }
+        let _e1565 = phi_1791_;
+        if ((_e1565 & 1u) != 0u) {
+            phi_1799_ = (2u | 1u);
+        } else {
+            phi_1799_ = 2u;
+        }
+        let _e1571 = phi_1799_;
+        if (_e1534 < 0.5f) {
+            phi_1804_ = (_e1571 | 4u);
+        } else {
+            phi_1804_ = _e1571;
+        }
+        let _e1574 = phi_1804_;
+        let _e1576 = ((_e87 * _e1530) + _e1527);
+        if (_e1576 < _e74) {
+        } else {
+            return;
+        }
+        let _e1580 = bits.member[(0u + _e1576)];
+        if (_e1576 < _e74) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e1576)] = ((_e1580 & ~((7u << bitcast<u32>((_e1528 & 31u))))) | (_e1574 << bitcast<u32>((_e1528 & 31u))));
+        if (_e1528 > 29u) {
+            let _e1594 = (_e1576 + 1u);
+            if (_e1594 < _e74) {
+            } else {
+                return;
+            }
+            let _e1598 = bits.member[(0u + _e1594)];
+            let _e1599 = (32u - _e1528);
+            let _e1609 = (_e1576 + 1u);
+            if (_e1609 < _e74) {
+            } else {
+                return;
+            }
+            bits.member[(0u + _e1609)] = ((_e1598 & ~((7u >> bitcast<u32>((_e1599 & 31u))))) | (_e1574 >> bitcast<u32>((_e1599 & 31u))));
+        }
     }
     return;
 }

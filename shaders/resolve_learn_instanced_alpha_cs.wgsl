@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -125,8 +126,8 @@ struct type_50 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -187,411 +188,406 @@ var<storage> materials: type_50;
 var<storage> alpha_texels: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_209_: bool;
-    var phi_213_: f32;
+    var phi_214_: bool;
+    var phi_218_: f32;
 
     if (param != param) {
-        phi_209_ = true;
+        phi_214_ = true;
     } else {
-        let _e70 = (param_1 >= param);
-        if _e70 {
+        let _e71 = (param_1 >= param);
+        if _e71 {
         }
-        phi_209_ = _e70;
+        phi_214_ = _e71;
     }
-    let _e72 = phi_209_;
-    if _e72 {
-        phi_213_ = param_1;
+    let _e73 = phi_214_;
+    if _e73 {
+        phi_218_ = param_1;
     } else {
-        phi_213_ = param;
+        phi_218_ = param;
     }
-    let _e74 = phi_213_;
-    return _e74;
+    let _e75 = phi_218_;
+    return _e75;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_225_: bool;
-    var phi_229_: f32;
+    var phi_230_: bool;
+    var phi_234_: f32;
 
     if (param_2 != param_2) {
-        phi_225_ = true;
+        phi_230_ = true;
     } else {
-        let _e70 = (param_3 <= param_2);
-        if _e70 {
+        let _e71 = (param_3 <= param_2);
+        if _e71 {
         }
-        phi_225_ = _e70;
+        phi_230_ = _e71;
     }
-    let _e72 = phi_225_;
-    if _e72 {
-        phi_229_ = param_3;
+    let _e73 = phi_230_;
+    if _e73 {
+        phi_234_ = param_3;
     } else {
-        phi_229_ = param_2;
+        phi_234_ = param_2;
     }
-    let _e74 = phi_229_;
-    return _e74;
+    let _e75 = phi_234_;
+    return _e75;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
-    var phi_271_: f32;
     var phi_276_: f32;
-    var phi_277_: bool;
-    var phi_278_: f32;
-    var phi_279_: bool;
+    var phi_281_: f32;
+    var phi_282_: bool;
     var phi_283_: f32;
-    var phi_309_: f32;
+    var phi_284_: bool;
+    var phi_288_: f32;
     var phi_314_: f32;
-    var phi_315_: bool;
-    var phi_316_: f32;
-    var phi_317_: bool;
+    var phi_319_: f32;
+    var phi_320_: bool;
     var phi_321_: f32;
-    var phi_329_: f32;
-    var phi_330_: f32;
-    var phi_331_: f32;
-    var phi_340_: f32;
-    var phi_341_: f32;
-    var phi_359_: u32;
-    var phi_373_: u32;
-    var phi_380_: u32;
+    var phi_322_: bool;
+    var phi_326_: f32;
+    var phi_334_: f32;
+    var phi_335_: f32;
+    var phi_336_: f32;
+    var phi_345_: f32;
+    var phi_346_: f32;
+    var phi_364_: u32;
+    var phi_378_: u32;
     var phi_385_: u32;
-    var phi_391_: u32;
+    var phi_390_: u32;
     var phi_396_: u32;
-    var phi_398_: texture_Axis;
-    var phi_426_: f32;
+    var phi_401_: u32;
+    var phi_403_: texture_Axis;
     var phi_431_: f32;
-    var phi_432_: bool;
-    var phi_433_: f32;
-    var phi_434_: bool;
+    var phi_436_: f32;
+    var phi_437_: bool;
     var phi_438_: f32;
-    var phi_464_: f32;
+    var phi_439_: bool;
+    var phi_443_: f32;
     var phi_469_: f32;
-    var phi_470_: bool;
-    var phi_471_: f32;
-    var phi_472_: bool;
+    var phi_474_: f32;
+    var phi_475_: bool;
     var phi_476_: f32;
-    var phi_484_: f32;
-    var phi_485_: f32;
-    var phi_486_: f32;
-    var phi_495_: f32;
-    var phi_496_: f32;
-    var phi_514_: u32;
-    var phi_528_: u32;
-    var phi_535_: u32;
+    var phi_477_: bool;
+    var phi_481_: f32;
+    var phi_489_: f32;
+    var phi_490_: f32;
+    var phi_491_: f32;
+    var phi_500_: f32;
+    var phi_501_: f32;
+    var phi_519_: u32;
+    var phi_533_: u32;
     var phi_540_: u32;
-    var phi_546_: u32;
+    var phi_545_: u32;
     var phi_551_: u32;
-    var phi_553_: texture_Axis;
+    var phi_556_: u32;
+    var phi_558_: texture_Axis;
 
-    let _e71 = (*param_4).size;
-    let _e72 = (_e71 & 65535u);
-    let _e74 = (*param_4).size;
-    let _e76 = (_e74 >> bitcast<u32>(16i));
-    let _e78 = (*param_4).flags;
-    let _e80 = ((_e78 & 4u) != 0u);
-    let _e82 = (*param_4).flags;
-    let _e85 = ((_e82 >> bitcast<u32>(4u)) & 3u);
-    if (_e85 == 0u) {
+    let _e72 = (*param_4).size;
+    let _e73 = (_e72 & 65535u);
+    let _e75 = (*param_4).size;
+    let _e77 = (_e75 >> bitcast<u32>(16i));
+    let _e79 = (*param_4).flags;
+    let _e81 = ((_e79 & 4u) != 0u);
+    let _e83 = (*param_4).flags;
+    let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
+    if (_e86 == 0u) {
         if (param_5 > -8388608f) {
-            let _e98 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e98 > param_5) {
-                phi_271_ = 1f;
+            let _e99 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e99 > param_5) {
+                phi_276_ = 1f;
             } else {
-                phi_271_ = 0f;
+                phi_276_ = 0f;
             }
-            let _e101 = phi_271_;
+            let _e102 = phi_276_;
             if (param_5 < 8388608f) {
-                phi_276_ = (_e98 - _e101);
-                phi_277_ = false;
+                phi_281_ = (_e99 - _e102);
+                phi_282_ = false;
             } else {
-                phi_276_ = f32();
-                phi_277_ = true;
+                phi_281_ = f32();
+                phi_282_ = true;
             }
-            let _e104 = phi_276_;
-            let _e106 = phi_277_;
-            phi_278_ = _e104;
-            phi_279_ = _e106;
+            let _e105 = phi_281_;
+            let _e107 = phi_282_;
+            phi_283_ = _e105;
+            phi_284_ = _e107;
         } else {
-            phi_278_ = f32();
-            phi_279_ = true;
+            phi_283_ = f32();
+            phi_284_ = true;
         }
-        let _e108 = phi_278_;
-        let _e110 = phi_279_;
-        if _e110 {
-            phi_283_ = param_5;
+        let _e109 = phi_283_;
+        let _e111 = phi_284_;
+        if _e111 {
+            phi_288_ = param_5;
         } else {
-            phi_283_ = _e108;
+            phi_288_ = _e109;
         }
-        let _e112 = phi_283_;
-        phi_331_ = (param_5 - _e112);
+        let _e113 = phi_288_;
+        phi_336_ = (param_5 - _e113);
     } else {
-        if (_e85 == 1u) {
-            let _e115 = (param_5 * 0.5f);
-            if (_e115 > -8388608f) {
-                let _e127 = f32(select(0i, select(select(i32(_e115), i32(-2147483648), (_e115 < bitcast<f32>(3472883712u))), 2147483647i, (_e115 > bitcast<f32>(1325400063u))), (_e115 == _e115)));
-                if (_e127 > _e115) {
-                    phi_309_ = 1f;
+        if (_e86 == 1u) {
+            let _e116 = (param_5 * 0.5f);
+            if (_e116 > -8388608f) {
+                let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
+                if (_e128 > _e116) {
+                    phi_314_ = 1f;
                 } else {
-                    phi_309_ = 0f;
+                    phi_314_ = 0f;
                 }
-                let _e130 = phi_309_;
-                if (_e115 < 8388608f) {
-                    phi_314_ = (_e127 - _e130);
-                    phi_315_ = false;
+                let _e131 = phi_314_;
+                if (_e116 < 8388608f) {
+                    phi_319_ = (_e128 - _e131);
+                    phi_320_ = false;
                 } else {
-                    phi_314_ = f32();
-                    phi_315_ = true;
+                    phi_319_ = f32();
+                    phi_320_ = true;
                 }
-                let _e133 = phi_314_;
-                let _e135 = phi_315_;
-                phi_316_ = _e133;
-                phi_317_ = _e135;
+                let _e134 = phi_319_;
+                let _e136 = phi_320_;
+                phi_321_ = _e134;
+                phi_322_ = _e136;
             } else {
-                phi_316_ = f32();
-                phi_317_ = true;
+                phi_321_ = f32();
+                phi_322_ = true;
             }
-            let _e137 = phi_316_;
-            let _e139 = phi_317_;
-            if _e139 {
-                phi_321_ = _e115;
+            let _e138 = phi_321_;
+            let _e140 = phi_322_;
+            if _e140 {
+                phi_326_ = _e116;
             } else {
-                phi_321_ = _e137;
+                phi_326_ = _e138;
             }
-            let _e141 = phi_321_;
-            let _e143 = (param_5 - (2f * _e141));
-            if (_e143 > 1f) {
-                phi_329_ = (2f - _e143);
+            let _e142 = phi_326_;
+            let _e144 = (param_5 - (2f * _e142));
+            if (_e144 > 1f) {
+                phi_334_ = (2f - _e144);
             } else {
-                phi_329_ = _e143;
+                phi_334_ = _e144;
             }
-            let _e147 = phi_329_;
-            phi_330_ = _e147;
+            let _e148 = phi_334_;
+            phi_335_ = _e148;
         } else {
-            phi_330_ = param_5;
+            phi_335_ = param_5;
         }
-        let _e149 = phi_330_;
-        phi_331_ = _e149;
+        let _e150 = phi_335_;
+        phi_336_ = _e150;
     }
-    let _e151 = phi_331_;
-    if (_e151 > 0f) {
-        if (_e151 < 1f) {
-            phi_340_ = _e151;
+    let _e152 = phi_336_;
+    if (_e152 > 0f) {
+        if (_e152 < 1f) {
+            phi_345_ = _e152;
         } else {
-            phi_340_ = 1f;
+            phi_345_ = 1f;
         }
-        let _e155 = phi_340_;
-        phi_341_ = _e155;
+        let _e156 = phi_345_;
+        phi_346_ = _e156;
     } else {
-        phi_341_ = 0f;
+        phi_346_ = 0f;
     }
-    let _e157 = phi_341_;
-    let _e158 = (_e72 - 1u);
-    let _e160 = (_e157 * f32(_e72));
-    if _e80 {
-        let _e167 = select(select(u32(_e160), 0u, (_e160 < bitcast<f32>(0u))), 4294967295u, (_e160 > bitcast<f32>(1333788671u)));
-        if (_e158 < _e167) {
-            phi_359_ = _e158;
+    let _e158 = phi_346_;
+    let _e159 = (_e73 - 1u);
+    let _e161 = (_e158 * f32(_e73));
+    if _e81 {
+        let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
+        if (_e159 < _e168) {
+            phi_364_ = _e159;
         } else {
-            phi_359_ = _e167;
+            phi_364_ = _e168;
         }
-        let _e170 = phi_359_;
-        phi_398_ = texture_Axis(_e170, _e170, 0f);
+        let _e171 = phi_364_;
+        phi_403_ = texture_Axis(_e171, _e171, 0f);
     } else {
-        let _e172 = (_e160 + 0.5f);
-        let _e179 = select(select(u32(_e172), 0u, (_e172 < bitcast<f32>(0u))), 4294967295u, (_e172 > bitcast<f32>(1333788671u)));
-        if (_e72 < _e179) {
-            phi_373_ = _e72;
+        let _e173 = (_e161 + 0.5f);
+        let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
+        if (_e73 < _e180) {
+            phi_378_ = _e73;
         } else {
-            phi_373_ = _e179;
+            phi_378_ = _e180;
         }
-        let _e182 = phi_373_;
-        if (_e85 == 0u) {
-            phi_380_ = _e158;
+        let _e183 = phi_378_;
+        if (_e86 == 0u) {
+            phi_385_ = _e159;
         } else {
-            phi_380_ = 0u;
-        }
-        let _e187 = phi_380_;
-        if (_e85 == 0u) {
             phi_385_ = 0u;
-        } else {
-            phi_385_ = _e158;
         }
-        let _e190 = phi_385_;
-        if (_e182 == 0u) {
-            phi_391_ = _e187;
+        let _e188 = phi_385_;
+        if (_e86 == 0u) {
+            phi_390_ = 0u;
         } else {
-            phi_391_ = (_e182 - 1u);
+            phi_390_ = _e159;
         }
-        let _e194 = phi_391_;
-        if (_e182 > _e158) {
-            phi_396_ = _e190;
+        let _e191 = phi_390_;
+        if (_e183 == 0u) {
+            phi_396_ = _e188;
         } else {
-            phi_396_ = _e182;
+            phi_396_ = (_e183 - 1u);
         }
-        let _e197 = phi_396_;
-        phi_398_ = texture_Axis(_e194, _e197, (_e172 - f32(_e182)));
+        let _e195 = phi_396_;
+        if (_e183 > _e159) {
+            phi_401_ = _e191;
+        } else {
+            phi_401_ = _e183;
+        }
+        let _e198 = phi_401_;
+        phi_403_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e200 = phi_398_;
-    let _e202 = (*param_4).flags;
-    let _e205 = ((_e202 >> bitcast<u32>(6u)) & 3u);
-    if (_e205 == 0u) {
+    let _e201 = phi_403_;
+    let _e203 = (*param_4).flags;
+    let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
+    if (_e206 == 0u) {
         if (param_6 > -8388608f) {
-            let _e218 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
-            if (_e218 > param_6) {
-                phi_426_ = 1f;
+            let _e219 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
+            if (_e219 > param_6) {
+                phi_431_ = 1f;
             } else {
-                phi_426_ = 0f;
+                phi_431_ = 0f;
             }
-            let _e221 = phi_426_;
+            let _e222 = phi_431_;
             if (param_6 < 8388608f) {
-                phi_431_ = (_e218 - _e221);
-                phi_432_ = false;
+                phi_436_ = (_e219 - _e222);
+                phi_437_ = false;
             } else {
-                phi_431_ = f32();
-                phi_432_ = true;
+                phi_436_ = f32();
+                phi_437_ = true;
             }
-            let _e224 = phi_431_;
-            let _e226 = phi_432_;
-            phi_433_ = _e224;
-            phi_434_ = _e226;
+            let _e225 = phi_436_;
+            let _e227 = phi_437_;
+            phi_438_ = _e225;
+            phi_439_ = _e227;
         } else {
-            phi_433_ = f32();
-            phi_434_ = true;
+            phi_438_ = f32();
+            phi_439_ = true;
         }
-        let _e228 = phi_433_;
-        let _e230 = phi_434_;
-        if _e230 {
-            phi_438_ = param_6;
+        let _e229 = phi_438_;
+        let _e231 = phi_439_;
+        if _e231 {
+            phi_443_ = param_6;
         } else {
-            phi_438_ = _e228;
+            phi_443_ = _e229;
         }
-        let _e232 = phi_438_;
-        phi_486_ = (param_6 - _e232);
+        let _e233 = phi_443_;
+        phi_491_ = (param_6 - _e233);
     } else {
-        if (_e205 == 1u) {
-            let _e235 = (param_6 * 0.5f);
-            if (_e235 > -8388608f) {
-                let _e247 = f32(select(0i, select(select(i32(_e235), i32(-2147483648), (_e235 < bitcast<f32>(3472883712u))), 2147483647i, (_e235 > bitcast<f32>(1325400063u))), (_e235 == _e235)));
-                if (_e247 > _e235) {
-                    phi_464_ = 1f;
+        if (_e206 == 1u) {
+            let _e236 = (param_6 * 0.5f);
+            if (_e236 > -8388608f) {
+                let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
+                if (_e248 > _e236) {
+                    phi_469_ = 1f;
                 } else {
-                    phi_464_ = 0f;
+                    phi_469_ = 0f;
                 }
-                let _e250 = phi_464_;
-                if (_e235 < 8388608f) {
-                    phi_469_ = (_e247 - _e250);
-                    phi_470_ = false;
+                let _e251 = phi_469_;
+                if (_e236 < 8388608f) {
+                    phi_474_ = (_e248 - _e251);
+                    phi_475_ = false;
                 } else {
-                    phi_469_ = f32();
-                    phi_470_ = true;
+                    phi_474_ = f32();
+                    phi_475_ = true;
                 }
-                let _e253 = phi_469_;
-                let _e255 = phi_470_;
-                phi_471_ = _e253;
-                phi_472_ = _e255;
+                let _e254 = phi_474_;
+                let _e256 = phi_475_;
+                phi_476_ = _e254;
+                phi_477_ = _e256;
             } else {
-                phi_471_ = f32();
-                phi_472_ = true;
+                phi_476_ = f32();
+                phi_477_ = true;
             }
-            let _e257 = phi_471_;
-            let _e259 = phi_472_;
-            if _e259 {
-                phi_476_ = _e235;
+            let _e258 = phi_476_;
+            let _e260 = phi_477_;
+            if _e260 {
+                phi_481_ = _e236;
             } else {
-                phi_476_ = _e257;
+                phi_481_ = _e258;
             }
-            let _e261 = phi_476_;
-            let _e263 = (param_6 - (2f * _e261));
-            if (_e263 > 1f) {
-                phi_484_ = (2f - _e263);
+            let _e262 = phi_481_;
+            let _e264 = (param_6 - (2f * _e262));
+            if (_e264 > 1f) {
+                phi_489_ = (2f - _e264);
             } else {
-                phi_484_ = _e263;
+                phi_489_ = _e264;
             }
-            let _e267 = phi_484_;
-            phi_485_ = _e267;
+            let _e268 = phi_489_;
+            phi_490_ = _e268;
         } else {
-            phi_485_ = param_6;
+            phi_490_ = param_6;
         }
-        let _e269 = phi_485_;
-        phi_486_ = _e269;
+        let _e270 = phi_490_;
+        phi_491_ = _e270;
     }
-    let _e271 = phi_486_;
-    if (_e271 > 0f) {
-        if (_e271 < 1f) {
-            phi_495_ = _e271;
+    let _e272 = phi_491_;
+    if (_e272 > 0f) {
+        if (_e272 < 1f) {
+            phi_500_ = _e272;
         } else {
-            phi_495_ = 1f;
+            phi_500_ = 1f;
         }
-        let _e275 = phi_495_;
-        phi_496_ = _e275;
+        let _e276 = phi_500_;
+        phi_501_ = _e276;
     } else {
-        phi_496_ = 0f;
+        phi_501_ = 0f;
     }
-    let _e277 = phi_496_;
-    let _e278 = (_e76 - 1u);
-    let _e280 = (_e277 * f32(_e76));
-    if _e80 {
-        let _e287 = select(select(u32(_e280), 0u, (_e280 < bitcast<f32>(0u))), 4294967295u, (_e280 > bitcast<f32>(1333788671u)));
-        if (_e278 < _e287) {
-            phi_514_ = _e278;
+    let _e278 = phi_501_;
+    let _e279 = (_e77 - 1u);
+    let _e281 = (_e278 * f32(_e77));
+    if _e81 {
+        let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
+        if (_e279 < _e288) {
+            phi_519_ = _e279;
         } else {
-            phi_514_ = _e287;
+            phi_519_ = _e288;
         }
-        let _e290 = phi_514_;
-        phi_553_ = texture_Axis(_e290, _e290, 0f);
+        let _e291 = phi_519_;
+        phi_558_ = texture_Axis(_e291, _e291, 0f);
     } else {
-        let _e292 = (_e280 + 0.5f);
-        let _e299 = select(select(u32(_e292), 0u, (_e292 < bitcast<f32>(0u))), 4294967295u, (_e292 > bitcast<f32>(1333788671u)));
-        if (_e76 < _e299) {
-            phi_528_ = _e76;
+        let _e293 = (_e281 + 0.5f);
+        let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
+        if (_e77 < _e300) {
+            phi_533_ = _e77;
         } else {
-            phi_528_ = _e299;
+            phi_533_ = _e300;
         }
-        let _e302 = phi_528_;
-        if (_e205 == 0u) {
-            phi_535_ = _e278;
+        let _e303 = phi_533_;
+        if (_e206 == 0u) {
+            phi_540_ = _e279;
         } else {
-            phi_535_ = 0u;
-        }
-        let _e307 = phi_535_;
-        if (_e205 == 0u) {
             phi_540_ = 0u;
-        } else {
-            phi_540_ = _e278;
         }
-        let _e310 = phi_540_;
-        if (_e302 == 0u) {
-            phi_546_ = _e307;
+        let _e308 = phi_540_;
+        if (_e206 == 0u) {
+            phi_545_ = 0u;
         } else {
-            phi_546_ = (_e302 - 1u);
+            phi_545_ = _e279;
         }
-        let _e314 = phi_546_;
-        if (_e302 > _e278) {
-            phi_551_ = _e310;
+        let _e311 = phi_545_;
+        if (_e303 == 0u) {
+            phi_551_ = _e308;
         } else {
-            phi_551_ = _e302;
+            phi_551_ = (_e303 - 1u);
         }
-        let _e317 = phi_551_;
-        phi_553_ = texture_Axis(_e314, _e317, (_e292 - f32(_e302)));
+        let _e315 = phi_551_;
+        if (_e303 > _e279) {
+            phi_556_ = _e311;
+        } else {
+            phi_556_ = _e303;
+        }
+        let _e318 = phi_556_;
+        phi_558_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e320 = phi_553_;
-    let _e324 = (*param_4).offset;
-    let _e331 = (*param_4).offset;
-    let _e338 = (*param_4).offset;
-    let _e345 = (*param_4).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e324 + (_e320.low * _e72)) + _e200.low), ((_e331 + (_e320.low * _e72)) + _e200.high), ((_e338 + (_e320.high * _e72)) + _e200.low), ((_e345 + (_e320.high * _e72)) + _e200.high)), vec4<f32>(((1f - _e200.fraction) * (1f - _e320.fraction)), (_e200.fraction * (1f - _e320.fraction)), ((1f - _e200.fraction) * _e320.fraction), (_e200.fraction * _e320.fraction)));
+    let _e321 = phi_558_;
+    let _e325 = (*param_4).offset;
+    let _e332 = (*param_4).offset;
+    let _e339 = (*param_4).offset;
+    let _e346 = (*param_4).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
 }
 
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_701_: f32;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
+    var phi_706_: f32;
+    var phi_762_: bool;
     var phi_763_: bool;
     var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: bool;
-    var phi_767_: bool;
     var phi_768_: bool;
     var phi_769_: bool;
     var phi_770_: bool;
@@ -605,62 +601,62 @@ fn function_() {
     var phi_778_: bool;
     var phi_779_: bool;
     var phi_780_: bool;
+    var phi_781_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
     var phi_784_: bool;
-    var phi_788_: bool;
-    var phi_858_: f32;
-    var phi_865_: f32;
-    var phi_872_: f32;
-    var phi_879_: f32;
-    var phi_886_: f32;
-    var phi_893_: f32;
-    var phi_910_: f32;
+    var phi_785_: bool;
+    var phi_789_: bool;
+    var phi_793_: bool;
+    var phi_863_: f32;
+    var phi_870_: f32;
+    var phi_877_: f32;
+    var phi_884_: f32;
+    var phi_891_: f32;
+    var phi_898_: f32;
     var phi_915_: f32;
     var phi_920_: f32;
-    var phi_941_: u32;
+    var phi_925_: f32;
     var phi_946_: u32;
     var phi_951_: u32;
-    var phi_1065_: bool;
-    var phi_1066_: bool;
-    var phi_1097_: u32;
-    var phi_1099_: u32;
-    var phi_1102_: bool;
-    var phi_1182_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1209_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1236_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1242_: u32;
-    var phi_1245_: u32;
-    var phi_1259_: u32;
-    var phi_1269_: u32;
-    var phi_1279_: u32;
-    var phi_1297_: u32;
-    var phi_1307_: u32;
-    var phi_1317_: u32;
-    var phi_1353_: u32;
-    var phi_1366_: u32;
+    var phi_956_: u32;
+    var phi_1070_: bool;
+    var phi_1071_: bool;
+    var phi_1102_: u32;
+    var phi_1104_: u32;
+    var phi_1107_: bool;
+    var phi_1187_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1214_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1241_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1247_: u32;
+    var phi_1250_: u32;
+    var phi_1264_: u32;
+    var phi_1274_: u32;
+    var phi_1284_: u32;
+    var phi_1302_: u32;
+    var phi_1312_: u32;
+    var phi_1322_: u32;
+    var phi_1358_: u32;
     var phi_1371_: u32;
-    var phi_1372_: u32;
-    var phi_1373_: u32;
-    var phi_1243_: u32;
-    var phi_1246_: u32;
+    var phi_1376_: u32;
+    var phi_1377_: u32;
+    var phi_1378_: u32;
+    var phi_1248_: u32;
+    var phi_1251_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1431_: u32;
-    var phi_1434_: bool;
-    var phi_1483_: f32;
+    var phi_1436_: u32;
+    var phi_1439_: bool;
     var phi_1488_: f32;
     var phi_1493_: f32;
-    var phi_1501_: f32;
+    var phi_1498_: f32;
     var phi_1506_: f32;
     var phi_1511_: f32;
-    var phi_1655_: bool;
-    var phi_1656_: bool;
-    var phi_1657_: bool;
+    var phi_1516_: f32;
+    var phi_1660_: bool;
     var phi_1661_: bool;
     var phi_1662_: bool;
-    var phi_1663_: bool;
-    var phi_1664_: bool;
-    var phi_1665_: bool;
     var phi_1666_: bool;
     var phi_1667_: bool;
     var phi_1668_: bool;
@@ -674,201 +670,208 @@ fn function_() {
     var phi_1676_: bool;
     var phi_1677_: bool;
     var phi_1678_: bool;
+    var phi_1679_: bool;
+    var phi_1680_: bool;
+    var phi_1681_: bool;
     var phi_1682_: bool;
-    var phi_1686_: bool;
-    var phi_1756_: f32;
-    var phi_1763_: f32;
-    var phi_1770_: f32;
-    var phi_1777_: f32;
-    var phi_1784_: f32;
-    var phi_1791_: f32;
-    var phi_1808_: f32;
+    var phi_1683_: bool;
+    var phi_1687_: bool;
+    var phi_1691_: bool;
+    var phi_1761_: f32;
+    var phi_1768_: f32;
+    var phi_1775_: f32;
+    var phi_1782_: f32;
+    var phi_1789_: f32;
+    var phi_1796_: f32;
     var phi_1813_: f32;
     var phi_1818_: f32;
-    var phi_1846_: bool;
-    var phi_1847_: bool;
-    var phi_1855_: u32;
-    var phi_1856_: u32;
-    var phi_1867_: vec3<f32>;
-    var phi_1868_: vec3<f32>;
-    var phi_1881_: u32;
+    var phi_1823_: f32;
+    var phi_1851_: bool;
+    var phi_1852_: bool;
+    var phi_1860_: u32;
+    var phi_1861_: u32;
+    var phi_1872_: vec3<f32>;
+    var phi_1873_: vec3<f32>;
     var phi_1886_: u32;
     var phi_1891_: u32;
-    var phi_2005_: bool;
-    var phi_2006_: bool;
-    var phi_2037_: u32;
-    var phi_2039_: u32;
-    var phi_2042_: bool;
-    var phi_2122_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2149_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2176_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2182_: u32;
-    var phi_2185_: u32;
-    var phi_2199_: u32;
-    var phi_2209_: u32;
-    var phi_2219_: u32;
-    var phi_2237_: u32;
-    var phi_2247_: u32;
-    var phi_2257_: u32;
-    var phi_2293_: u32;
-    var phi_2306_: u32;
+    var phi_1896_: u32;
+    var phi_2010_: bool;
+    var phi_2011_: bool;
+    var phi_2042_: u32;
+    var phi_2044_: u32;
+    var phi_2047_: bool;
+    var phi_2127_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2154_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2181_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2187_: u32;
+    var phi_2190_: u32;
+    var phi_2204_: u32;
+    var phi_2214_: u32;
+    var phi_2224_: u32;
+    var phi_2242_: u32;
+    var phi_2252_: u32;
+    var phi_2262_: u32;
+    var phi_2298_: u32;
     var phi_2311_: u32;
-    var phi_2312_: u32;
-    var phi_2313_: u32;
-    var phi_2183_: u32;
-    var phi_2186_: u32;
+    var phi_2316_: u32;
+    var phi_2317_: u32;
+    var phi_2318_: u32;
+    var phi_2188_: u32;
+    var phi_2191_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2371_: u32;
-    var phi_2374_: bool;
-    var phi_2418_: vec3<f32>;
-    var phi_2419_: vec3<f32>;
-    var phi_2448_: vec3<f32>;
-    var phi_2449_: vec3<f32>;
-    var phi_2478_: vec3<f32>;
-    var phi_2479_: vec3<f32>;
-    var phi_2497_: bool;
-    var phi_2498_: bool;
-    var phi_2502_: f32;
-    var phi_2503_: f32;
-    var phi_2504_: f32;
-    var phi_2505_: f32;
-    var phi_2513_: f32;
-    var phi_2523_: bool;
-    var phi_2524_: bool;
-    var phi_2528_: f32;
-    var phi_2529_: f32;
-    var phi_2530_: f32;
-    var phi_2531_: f32;
-    var phi_2539_: f32;
-    var phi_2549_: bool;
-    var phi_2550_: bool;
-    var phi_2554_: f32;
-    var phi_2555_: f32;
-    var phi_2556_: f32;
-    var phi_2557_: f32;
-    var phi_2565_: f32;
-    var phi_2580_: f32;
-    var phi_2581_: bool;
-    var phi_2582_: f32;
-    var phi_2583_: bool;
-    var phi_2584_: f32;
-    var phi_2585_: bool;
-    var phi_2603_: f32;
-    var phi_2604_: bool;
-    var phi_2605_: bool;
-    var phi_2606_: f32;
-    var phi_2607_: bool;
-    var phi_2608_: bool;
+    var phi_2376_: u32;
+    var phi_2379_: bool;
+    var phi_2423_: vec3<f32>;
+    var phi_2424_: vec3<f32>;
+    var phi_2453_: vec3<f32>;
+    var phi_2454_: vec3<f32>;
+    var phi_2483_: vec3<f32>;
+    var phi_2484_: vec3<f32>;
+    var phi_2502_: bool;
+    var phi_2503_: bool;
+    var phi_2507_: f32;
+    var phi_2508_: f32;
+    var phi_2509_: f32;
+    var phi_2510_: f32;
+    var phi_2518_: f32;
+    var phi_2528_: bool;
+    var phi_2529_: bool;
+    var phi_2533_: f32;
+    var phi_2534_: f32;
+    var phi_2535_: f32;
+    var phi_2536_: f32;
+    var phi_2544_: f32;
+    var phi_2554_: bool;
+    var phi_2555_: bool;
+    var phi_2559_: f32;
+    var phi_2560_: f32;
+    var phi_2561_: f32;
+    var phi_2562_: f32;
+    var phi_2570_: f32;
+    var phi_2585_: f32;
+    var phi_2586_: bool;
+    var phi_2587_: f32;
+    var phi_2588_: bool;
+    var phi_2589_: f32;
+    var phi_2590_: bool;
+    var phi_2608_: f32;
+    var phi_2609_: bool;
+    var phi_2610_: bool;
+    var phi_2611_: f32;
     var phi_2612_: bool;
-    var phi_2613_: f32;
-    var phi_2614_: bool;
-    var phi_2642_: vec3<f32>;
-    var phi_2643_: vec3<f32>;
-    var phi_2668_: vec3<f32>;
-    var phi_2669_: vec3<f32>;
-    var phi_2694_: vec3<f32>;
-    var phi_2695_: vec3<f32>;
-    var phi_2751_: f32;
-    var phi_2760_: f32;
-    var phi_2769_: f32;
-    var phi_2778_: f32;
-    var phi_2785_: f32;
-    var phi_2792_: f32;
-    var phi_2805_: f32;
-    var phi_2814_: f32;
-    var phi_2823_: f32;
-    var phi_2832_: f32;
-    var phi_2839_: f32;
-    var phi_2846_: f32;
-    var phi_2863_: f32;
+    var phi_2613_: bool;
+    var phi_2617_: bool;
+    var phi_2618_: f32;
+    var phi_2619_: bool;
+    var phi_2647_: vec3<f32>;
+    var phi_2648_: vec3<f32>;
+    var phi_2673_: vec3<f32>;
+    var phi_2674_: vec3<f32>;
+    var phi_2699_: vec3<f32>;
+    var phi_2700_: vec3<f32>;
+    var phi_2756_: f32;
+    var phi_2765_: f32;
+    var phi_2774_: f32;
+    var phi_2783_: f32;
+    var phi_2790_: f32;
+    var phi_2797_: f32;
+    var phi_2810_: f32;
+    var phi_2819_: f32;
+    var phi_2828_: f32;
+    var phi_2837_: f32;
+    var phi_2844_: f32;
+    var phi_2851_: f32;
     var phi_2868_: f32;
     var phi_2873_: f32;
-    var phi_2881_: f32;
+    var phi_2878_: f32;
     var phi_2886_: f32;
     var phi_2891_: f32;
-    var phi_2903_: f32;
+    var phi_2896_: f32;
     var phi_2908_: f32;
     var phi_2913_: f32;
     var phi_2918_: f32;
-    var phi_2923_: lt_bvh_triangle_Intersection;
-    var phi_2924_: bool;
-    var phi_2925_: lt_bvh_triangle_Intersection;
-    var phi_2926_: bool;
+    var phi_2923_: f32;
+    var phi_2928_: lt_bvh_triangle_Intersection;
+    var phi_2929_: bool;
     var phi_2930_: lt_bvh_triangle_Intersection;
     var phi_2931_: bool;
-    var phi_2932_: lt_bvh_triangle_Intersection;
-    var phi_2933_: bool;
-    var phi_2934_: bool;
+    var phi_2935_: lt_bvh_triangle_Intersection;
+    var phi_2936_: bool;
+    var phi_2937_: lt_bvh_triangle_Intersection;
     var phi_2938_: bool;
-    var phi_2942_: lt_bvh_triangle_Intersection;
-    var phi_3156_: f32;
-    var phi_3159_: bool;
-    var phi_3160_: bool;
-    var phi_3161_: bool;
+    var phi_2939_: bool;
+    var phi_2943_: bool;
+    var phi_2947_: lt_bvh_triangle_Intersection;
+    var phi_3161_: f32;
+    var phi_3164_: bool;
     var phi_3165_: bool;
     var phi_3166_: bool;
-    var phi_3167_: bool;
-    var phi_3168_: bool;
-    var phi_3169_: bool;
     var phi_3170_: bool;
     var phi_3171_: bool;
     var phi_3172_: bool;
     var phi_3173_: bool;
     var phi_3174_: bool;
-    var phi_2372_: u32;
-    var phi_2375_: bool;
+    var phi_3175_: bool;
+    var phi_3176_: bool;
+    var phi_3177_: bool;
     var phi_3178_: bool;
     var phi_3179_: bool;
+    var phi_2377_: u32;
+    var phi_2380_: bool;
+    var phi_3183_: bool;
+    var phi_3184_: bool;
     var local_9: bool;
-    var phi_3221_: bool;
-    var phi_3222_: bool;
-    var phi_3253_: u32;
-    var phi_3254_: u32;
-    var phi_2040_: u32;
-    var phi_2043_: bool;
-    var phi_3255_: bool;
-    var phi_3256_: bool;
-    var phi_3257_: bool;
-    var local_10: bool;
+    var phi_3226_: bool;
+    var phi_3227_: bool;
+    var phi_3258_: u32;
+    var phi_3259_: u32;
+    var phi_2045_: u32;
+    var phi_2048_: bool;
+    var phi_3260_: bool;
     var phi_3261_: bool;
-    var phi_3265_: bool;
+    var phi_3262_: bool;
+    var local_10: bool;
     var phi_3266_: bool;
-    var phi_3267_: bool;
-    var phi_3268_: bool;
+    var phi_3270_: bool;
+    var phi_3271_: bool;
     var phi_3272_: bool;
-    var phi_3276_: bool;
+    var phi_3273_: bool;
     var phi_3277_: bool;
-    var phi_3278_: bool;
-    var phi_3279_: bool;
-    var phi_3280_: bool;
     var phi_3281_: bool;
     var phi_3282_: bool;
-    var phi_1432_: u32;
-    var phi_1435_: bool;
+    var phi_3283_: bool;
+    var phi_3284_: bool;
+    var phi_3285_: bool;
     var phi_3286_: bool;
+    var phi_3287_: bool;
+    var phi_1437_: u32;
+    var phi_1440_: bool;
+    var phi_3291_: bool;
     var local_11: bool;
-    var phi_3328_: bool;
-    var phi_3329_: bool;
-    var phi_3360_: u32;
-    var phi_3361_: u32;
-    var phi_1100_: u32;
-    var phi_1103_: bool;
-    var phi_3362_: bool;
-    var phi_3363_: bool;
-    var local_12: bool;
+    var phi_3333_: bool;
+    var phi_3334_: bool;
+    var phi_3365_: u32;
+    var phi_3366_: u32;
+    var phi_1105_: u32;
+    var phi_1108_: bool;
     var phi_3367_: bool;
-    var phi_3371_: bool;
+    var phi_3368_: bool;
+    var local_12: bool;
     var phi_3372_: bool;
-    var phi_3373_: bool;
+    var phi_3376_: bool;
     var phi_3377_: bool;
     var phi_3378_: bool;
     var phi_3382_: bool;
-    var phi_3386_: f32;
-    var phi_3407_: u32;
-    var phi_3422_: u32;
-    var phi_3427_: u32;
+    var phi_3383_: bool;
+    var phi_3387_: bool;
+    var phi_3391_: f32;
+    var phi_3432_: u32;
+    var phi_3451_: u32;
+    var phi_3459_: u32;
+    var phi_3467_: u32;
+    var phi_3472_: u32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -877,2033 +880,2079 @@ fn function_() {
     var local_18: bool;
     var local_19: bool;
 
-    let _e70 = id_1;
-    let _e77 = arrayLength((&nodes.member));
-    let _e80 = arrayLength((&triangles.member));
-    let _e83 = arrayLength((&visibility.member));
-    let _e86 = arrayLength((&list.member));
-    let _e89 = arrayLength((&bits.member));
-    let _e95 = arrayLength((&vertices.member));
-    let _e101 = arrayLength((&alpha_texels.member));
-    let _e105 = ((_e70.y * 2097152u) + _e70.x);
-    if (3u < _e86) {
+    let _e71 = id_1;
+    let _e78 = arrayLength((&nodes.member));
+    let _e81 = arrayLength((&triangles.member));
+    let _e84 = arrayLength((&visibility.member));
+    let _e87 = arrayLength((&list.member));
+    let _e90 = arrayLength((&bits.member));
+    let _e96 = arrayLength((&vertices.member));
+    let _e102 = arrayLength((&alpha_texels.member));
+    let _e106 = ((_e71.y * 2097152u) + _e71.x);
+    if (3u < _e87) {
     } else {
         return;
     }
-    let _e108 = list.member[3u];
-    if (_e105 < _e108) {
-        let _e110 = (_e105 + 4u);
-        if (_e110 < _e86) {
+    let _e109 = list.member[3u];
+    if (_e106 < _e109) {
+        let _e111 = (_e106 + 4u);
+        if (_e111 < _e87) {
         } else {
             return;
         }
-        let _e114 = list.member[(0u + _e110)];
-        let _e116 = p.member.root;
-        if (_e114 < arrayLength((&samples.member))) {
+        let _e115 = list.member[(0u + _e111)];
+        let _e117 = p.member.root;
+        if (_e115 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e122 = samples.member[(0u + _e114)].position;
-        let _e124 = samples.member[(0u + _e114)].normal;
-        let _e126 = samples.member[(0u + _e114)].magnitude;
-        let _e128 = ((8f / 8388608f) * _e126);
-        let _e136 = (_e122.x + (_e124.x * _e128));
-        let _e138 = (_e122.y + (_e124.y * _e128));
-        let _e140 = (_e122.z + (_e124.z * _e128));
-        let _e142 = p.member.light.place;
-        if (_e142.w == 0f) {
-            phi_701_ = 300000000000000000000000000000000000000f;
+        let _e123 = samples.member[(0u + _e115)].position;
+        let _e125 = samples.member[(0u + _e115)].normal;
+        let _e127 = samples.member[(0u + _e115)].magnitude;
+        let _e129 = ((8f / 8388608f) * _e127);
+        let _e137 = (_e123.x + (_e125.x * _e129));
+        let _e139 = (_e123.y + (_e125.y * _e129));
+        let _e141 = (_e123.z + (_e125.z * _e129));
+        let _e143 = p.member.light.place;
+        if (_e143.w == 0f) {
+            phi_706_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_701_ = 1f;
+            phi_706_ = 1f;
         }
-        let _e146 = phi_701_;
-        let _e154 = (_e142.x - (_e136 * _e142.w));
-        let _e155 = (_e142.y - (_e138 * _e142.w));
-        let _e156 = (_e142.z - (_e140 * _e142.w));
-        let _e160 = abs(_e154);
+        let _e147 = phi_706_;
+        let _e155 = (_e143.x - (_e137 * _e143.w));
+        let _e156 = (_e143.y - (_e139 * _e143.w));
+        let _e157 = (_e143.z - (_e141 * _e143.w));
         let _e161 = abs(_e155);
         let _e162 = abs(_e156);
-        if (abs(_e136) < 1000000000000000f) {
-            if (abs(_e138) < 1000000000000000f) {
-                if (abs(_e140) < 1000000000000000f) {
-                    if (_e160 < 1000000000000000f) {
-                        if (_e161 < 1000000000000000f) {
-                            if (_e162 < 1000000000000000f) {
-                                if (_e160 > 0f) {
-                                    phi_758_ = bool();
-                                    phi_759_ = true;
+        let _e163 = abs(_e157);
+        if (abs(_e137) < 1000000000000000f) {
+            if (abs(_e139) < 1000000000000000f) {
+                if (abs(_e141) < 1000000000000000f) {
+                    if (_e161 < 1000000000000000f) {
+                        if (_e162 < 1000000000000000f) {
+                            if (_e163 < 1000000000000000f) {
+                                if (_e161 > 0f) {
+                                    phi_763_ = bool();
+                                    phi_764_ = true;
                                 } else {
-                                    let _e170 = (_e161 > 0f);
-                                    if _e170 {
-                                        phi_757_ = bool();
+                                    let _e171 = (_e162 > 0f);
+                                    if _e171 {
+                                        phi_762_ = bool();
                                     } else {
-                                        phi_757_ = (_e162 > 0f);
+                                        phi_762_ = (_e163 > 0f);
                                     }
-                                    let _e173 = phi_757_;
-                                    phi_758_ = _e173;
-                                    phi_759_ = _e170;
+                                    let _e174 = phi_762_;
+                                    phi_763_ = _e174;
+                                    phi_764_ = _e171;
                                 }
-                                let _e175 = phi_758_;
-                                let _e177 = phi_759_;
-                                if _e177 {
-                                    phi_763_ = true;
+                                let _e176 = phi_763_;
+                                let _e178 = phi_764_;
+                                if _e178 {
+                                    phi_768_ = true;
                                 } else {
-                                    phi_763_ = _e175;
+                                    phi_768_ = _e176;
                                 }
-                                let _e179 = phi_763_;
-                                phi_764_ = _e179;
-                                phi_765_ = false;
+                                let _e180 = phi_768_;
+                                phi_769_ = _e180;
+                                phi_770_ = false;
                             } else {
-                                phi_764_ = bool();
-                                phi_765_ = true;
+                                phi_769_ = bool();
+                                phi_770_ = true;
                             }
-                            let _e181 = phi_764_;
-                            let _e183 = phi_765_;
-                            phi_766_ = _e181;
-                            phi_767_ = false;
-                            phi_768_ = _e183;
+                            let _e182 = phi_769_;
+                            let _e184 = phi_770_;
+                            phi_771_ = _e182;
+                            phi_772_ = false;
+                            phi_773_ = _e184;
                         } else {
-                            phi_766_ = bool();
-                            phi_767_ = true;
-                            phi_768_ = false;
+                            phi_771_ = bool();
+                            phi_772_ = true;
+                            phi_773_ = false;
                         }
-                        let _e185 = phi_766_;
-                        let _e187 = phi_767_;
-                        let _e189 = phi_768_;
-                        phi_769_ = _e185;
-                        phi_770_ = _e187;
-                        phi_771_ = _e189;
+                        let _e186 = phi_771_;
+                        let _e188 = phi_772_;
+                        let _e190 = phi_773_;
+                        phi_774_ = _e186;
+                        phi_775_ = _e188;
+                        phi_776_ = _e190;
                     } else {
-                        phi_769_ = bool();
-                        phi_770_ = true;
-                        phi_771_ = false;
+                        phi_774_ = bool();
+                        phi_775_ = true;
+                        phi_776_ = false;
                     }
-                    let _e191 = phi_769_;
-                    let _e193 = phi_770_;
-                    let _e195 = phi_771_;
-                    phi_772_ = _e191;
-                    phi_773_ = _e193;
-                    phi_774_ = _e195;
+                    let _e192 = phi_774_;
+                    let _e194 = phi_775_;
+                    let _e196 = phi_776_;
+                    phi_777_ = _e192;
+                    phi_778_ = _e194;
+                    phi_779_ = _e196;
                 } else {
-                    phi_772_ = bool();
-                    phi_773_ = true;
-                    phi_774_ = false;
+                    phi_777_ = bool();
+                    phi_778_ = true;
+                    phi_779_ = false;
                 }
-                let _e197 = phi_772_;
-                let _e199 = phi_773_;
-                let _e201 = phi_774_;
-                phi_775_ = _e197;
-                phi_776_ = _e199;
-                phi_777_ = _e201;
+                let _e198 = phi_777_;
+                let _e200 = phi_778_;
+                let _e202 = phi_779_;
+                phi_780_ = _e198;
+                phi_781_ = _e200;
+                phi_782_ = _e202;
             } else {
-                phi_775_ = bool();
-                phi_776_ = true;
-                phi_777_ = false;
+                phi_780_ = bool();
+                phi_781_ = true;
+                phi_782_ = false;
             }
-            let _e203 = phi_775_;
-            let _e205 = phi_776_;
-            let _e207 = phi_777_;
-            phi_778_ = _e203;
-            phi_779_ = _e205;
-            phi_780_ = _e207;
+            let _e204 = phi_780_;
+            let _e206 = phi_781_;
+            let _e208 = phi_782_;
+            phi_783_ = _e204;
+            phi_784_ = _e206;
+            phi_785_ = _e208;
         } else {
-            phi_778_ = bool();
-            phi_779_ = true;
-            phi_780_ = false;
-        }
-        let _e209 = phi_778_;
-        let _e211 = phi_779_;
-        let _e213 = phi_780_;
-        if _e211 {
+            phi_783_ = bool();
             phi_784_ = true;
-        } else {
-            phi_784_ = _e213;
+            phi_785_ = false;
         }
-        let _e215 = phi_784_;
-        if _e215 {
-            phi_788_ = false;
+        let _e210 = phi_783_;
+        let _e212 = phi_784_;
+        let _e214 = phi_785_;
+        if _e212 {
+            phi_789_ = true;
         } else {
-            phi_788_ = _e209;
+            phi_789_ = _e214;
         }
-        let _e217 = phi_788_;
-        if _e217 {
-            let _e218 = (_e116 >= _e77);
-            if _e218 {
-                phi_3371_ = false;
+        let _e216 = phi_789_;
+        if _e216 {
+            phi_793_ = false;
+        } else {
+            phi_793_ = _e210;
+        }
+        let _e218 = phi_793_;
+        if _e218 {
+            let _e219 = (_e117 >= _e78);
+            if _e219 {
+                phi_3376_ = false;
             } else {
-                if (_e116 < _e77) {
+                if (_e117 < _e78) {
                 } else {
                     return;
                 }
-                let _e224 = nodes.member[(0u + _e116)].frame[0u];
-                let _e228 = nodes.member[(0u + _e116)].frame[1u];
-                let _e232 = nodes.member[(0u + _e116)].frame[2u];
-                let _e236 = nodes.member[(0u + _e116)].frame[0u];
-                let _e240 = nodes.member[(0u + _e116)].frame[1u];
-                let _e244 = nodes.member[(0u + _e116)].frame[2u];
-                let _e248 = nodes.member[(0u + _e116)].frame[3u];
-                let _e282 = core_intrinsics_maximum_number_nsz_f32_(abs(_e154), abs(_e155));
-                let _e283 = core_intrinsics_maximum_number_nsz_f32_(_e282, abs(_e156));
-                let _e284 = (_e283 * 0.0000000000009094947f);
-                if (abs(_e154) < _e284) {
-                    phi_858_ = _e284;
+                let _e225 = nodes.member[(0u + _e117)].frame[0u];
+                let _e229 = nodes.member[(0u + _e117)].frame[1u];
+                let _e233 = nodes.member[(0u + _e117)].frame[2u];
+                let _e237 = nodes.member[(0u + _e117)].frame[0u];
+                let _e241 = nodes.member[(0u + _e117)].frame[1u];
+                let _e245 = nodes.member[(0u + _e117)].frame[2u];
+                let _e249 = nodes.member[(0u + _e117)].frame[3u];
+                let _e283 = core_intrinsics_maximum_number_nsz_f32_(abs(_e155), abs(_e156));
+                let _e284 = core_intrinsics_maximum_number_nsz_f32_(_e283, abs(_e157));
+                let _e285 = (_e284 * 0.0000000000009094947f);
+                if (abs(_e155) < _e285) {
+                    phi_863_ = _e285;
                 } else {
-                    phi_858_ = abs(_e154);
+                    phi_863_ = abs(_e155);
                 }
-                let _e289 = phi_858_;
-                if (_e154 < 0f) {
-                    phi_865_ = (-1f / _e289);
-                } else {
-                    phi_865_ = (1f / _e289);
-                }
-                let _e294 = phi_865_;
-                if (abs(_e155) < _e284) {
-                    phi_872_ = _e284;
-                } else {
-                    phi_872_ = abs(_e155);
-                }
-                let _e299 = phi_872_;
+                let _e290 = phi_863_;
                 if (_e155 < 0f) {
-                    phi_879_ = (-1f / _e299);
+                    phi_870_ = (-1f / _e290);
                 } else {
-                    phi_879_ = (1f / _e299);
+                    phi_870_ = (1f / _e290);
                 }
-                let _e304 = phi_879_;
-                if (abs(_e156) < _e284) {
-                    phi_886_ = _e284;
+                let _e295 = phi_870_;
+                if (abs(_e156) < _e285) {
+                    phi_877_ = _e285;
                 } else {
-                    phi_886_ = abs(_e156);
+                    phi_877_ = abs(_e156);
                 }
-                let _e309 = phi_886_;
+                let _e300 = phi_877_;
                 if (_e156 < 0f) {
-                    phi_893_ = (-1f / _e309);
+                    phi_884_ = (-1f / _e300);
                 } else {
-                    phi_893_ = (1f / _e309);
+                    phi_884_ = (1f / _e300);
                 }
-                let _e314 = phi_893_;
-                let _e318 = abs((bitcast<f32>(_e224) - _e136));
-                let _e319 = abs((bitcast<f32>(_e228) - _e138));
-                let _e320 = abs((bitcast<f32>(_e232) - _e140));
-                let _e324 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e248 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e136));
-                let _e325 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e248 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138));
-                let _e326 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e248 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e140));
-                if (_e318 > _e324) {
-                    phi_910_ = _e318;
+                let _e305 = phi_884_;
+                if (abs(_e157) < _e285) {
+                    phi_891_ = _e285;
                 } else {
-                    phi_910_ = _e324;
+                    phi_891_ = abs(_e157);
                 }
-                let _e329 = phi_910_;
+                let _e310 = phi_891_;
+                if (_e157 < 0f) {
+                    phi_898_ = (-1f / _e310);
+                } else {
+                    phi_898_ = (1f / _e310);
+                }
+                let _e315 = phi_898_;
+                let _e319 = abs((bitcast<f32>(_e225) - _e137));
+                let _e320 = abs((bitcast<f32>(_e229) - _e139));
+                let _e321 = abs((bitcast<f32>(_e233) - _e141));
+                let _e325 = abs(((bitcast<f32>(_e237) + (bitcast<f32>((((_e249 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e137));
+                let _e326 = abs(((bitcast<f32>(_e241) + (bitcast<f32>((((_e249 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e139));
+                let _e327 = abs(((bitcast<f32>(_e245) + (bitcast<f32>((((_e249 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e141));
                 if (_e319 > _e325) {
                     phi_915_ = _e319;
                 } else {
                     phi_915_ = _e325;
                 }
-                let _e332 = phi_915_;
+                let _e330 = phi_915_;
                 if (_e320 > _e326) {
                     phi_920_ = _e320;
                 } else {
                     phi_920_ = _e326;
                 }
-                let _e335 = phi_920_;
-                let _e336 = core_intrinsics_maximum_number_nsz_f32_(_e329, _e332);
-                let _e337 = core_intrinsics_maximum_number_nsz_f32_(_e336, _e335);
-                let _e341 = (_e337 * 0.0000019073486f);
-                let _e342 = (abs(_e294) * _e341);
-                let _e343 = (abs(_e304) * _e341);
-                let _e344 = (abs(_e314) * _e341);
-                let _e348 = (_e337 * 0.0000009536743f);
-                let _e349 = (abs(_e294) * _e348);
-                let _e350 = (abs(_e304) * _e348);
-                let _e351 = (abs(_e314) * _e348);
-                if (_e294 < 0f) {
-                    phi_941_ = 0u;
+                let _e333 = phi_920_;
+                if (_e321 > _e327) {
+                    phi_925_ = _e321;
                 } else {
-                    phi_941_ = 1u;
+                    phi_925_ = _e327;
                 }
-                let _e354 = phi_941_;
-                if (_e304 < 0f) {
+                let _e336 = phi_925_;
+                let _e337 = core_intrinsics_maximum_number_nsz_f32_(_e330, _e333);
+                let _e338 = core_intrinsics_maximum_number_nsz_f32_(_e337, _e336);
+                let _e342 = (_e338 * 0.0000019073486f);
+                let _e343 = (abs(_e295) * _e342);
+                let _e344 = (abs(_e305) * _e342);
+                let _e345 = (abs(_e315) * _e342);
+                let _e349 = (_e338 * 0.0000009536743f);
+                let _e350 = (abs(_e295) * _e349);
+                let _e351 = (abs(_e305) * _e349);
+                let _e352 = (abs(_e315) * _e349);
+                if (_e295 < 0f) {
                     phi_946_ = 0u;
                 } else {
-                    phi_946_ = 2u;
+                    phi_946_ = 1u;
                 }
-                let _e357 = phi_946_;
-                if (_e314 < 0f) {
+                let _e355 = phi_946_;
+                if (_e305 < 0f) {
                     phi_951_ = 0u;
                 } else {
-                    phi_951_ = 4u;
+                    phi_951_ = 2u;
                 }
-                let _e360 = phi_951_;
-                let _e362 = ((_e354 | _e357) | _e360);
-                let _e363 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e116, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e363.first[0], _e363.first[1], _e363.first[2], _e363.first[3], _e363.first[4], _e363.first[5], _e363.first[6], _e363.first[7], _e363.first[8], _e363.first[9], _e363.first[10], _e363.first[11], _e363.first[12], _e363.first[13], _e363.first[14], _e363.first[15], _e363.first[16], _e363.first[17], _e363.first[18], _e363.first[19], _e363.first[20], _e363.first[21], _e363.first[22], _e363.first[23], _e363.first[24], _e363.first[25], _e363.first[26], _e363.first[27], _e363.first[28], _e363.first[29], _e363.first[30], _e363.first[31]), array<u32, 32>(_e363.mask[0], _e363.mask[1], _e363.mask[2], _e363.mask[3], _e363.mask[4], _e363.mask[5], _e363.mask[6], _e363.mask[7], _e363.mask[8], _e363.mask[9], _e363.mask[10], _e363.mask[11], _e363.mask[12], _e363.mask[13], _e363.mask[14], _e363.mask[15], _e363.mask[16], _e363.mask[17], _e363.mask[18], _e363.mask[19], _e363.mask[20], _e363.mask[21], _e363.mask[22], _e363.mask[23], _e363.mask[24], _e363.mask[25], _e363.mask[26], _e363.mask[27], _e363.mask[28], _e363.mask[29], _e363.mask[30], _e363.mask[31]), _e363.len, _e363.group, _e363.group_mask);
-                let _e437 = local_2.group_mask;
-                if ((_e437 & 4278190080u) == 0u) {
-                    let _e441 = local_2.len;
-                    if (_e441 == 0u) {
-                        phi_1065_ = false;
+                let _e358 = phi_951_;
+                if (_e315 < 0f) {
+                    phi_956_ = 0u;
+                } else {
+                    phi_956_ = 4u;
+                }
+                let _e361 = phi_956_;
+                let _e363 = ((_e355 | _e358) | _e361);
+                let _e364 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e117, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e364.first[0], _e364.first[1], _e364.first[2], _e364.first[3], _e364.first[4], _e364.first[5], _e364.first[6], _e364.first[7], _e364.first[8], _e364.first[9], _e364.first[10], _e364.first[11], _e364.first[12], _e364.first[13], _e364.first[14], _e364.first[15], _e364.first[16], _e364.first[17], _e364.first[18], _e364.first[19], _e364.first[20], _e364.first[21], _e364.first[22], _e364.first[23], _e364.first[24], _e364.first[25], _e364.first[26], _e364.first[27], _e364.first[28], _e364.first[29], _e364.first[30], _e364.first[31]), array<u32, 32>(_e364.mask[0], _e364.mask[1], _e364.mask[2], _e364.mask[3], _e364.mask[4], _e364.mask[5], _e364.mask[6], _e364.mask[7], _e364.mask[8], _e364.mask[9], _e364.mask[10], _e364.mask[11], _e364.mask[12], _e364.mask[13], _e364.mask[14], _e364.mask[15], _e364.mask[16], _e364.mask[17], _e364.mask[18], _e364.mask[19], _e364.mask[20], _e364.mask[21], _e364.mask[22], _e364.mask[23], _e364.mask[24], _e364.mask[25], _e364.mask[26], _e364.mask[27], _e364.mask[28], _e364.mask[29], _e364.mask[30], _e364.mask[31]), _e364.len, _e364.group, _e364.group_mask);
+                let _e438 = local_2.group_mask;
+                if ((_e438 & 4278190080u) == 0u) {
+                    let _e442 = local_2.len;
+                    if (_e442 == 0u) {
+                        phi_1070_ = false;
                     } else {
-                        let _e445 = local_2.len;
-                        local_2.len = (_e445 - 1u);
-                        let _e448 = local_2.len;
-                        if (_e448 < 32u) {
+                        let _e446 = local_2.len;
+                        local_2.len = (_e446 - 1u);
+                        let _e449 = local_2.len;
+                        if (_e449 < 32u) {
                         } else {
                             return;
                         }
-                        let _e453 = local_2.first[(0u + _e448)];
-                        local_2.group = _e453;
-                        let _e456 = local_2.len;
-                        if (_e456 < 32u) {
+                        let _e454 = local_2.first[(0u + _e449)];
+                        local_2.group = _e454;
+                        let _e457 = local_2.len;
+                        if (_e457 < 32u) {
                         } else {
                             return;
                         }
-                        let _e461 = local_2.mask[(0u + _e456)];
-                        local_2.group_mask = _e461;
-                        phi_1065_ = true;
+                        let _e462 = local_2.mask[(0u + _e457)];
+                        local_2.group_mask = _e462;
+                        phi_1070_ = true;
                     }
-                    let _e464 = phi_1065_;
-                    phi_1066_ = _e464;
+                    let _e465 = phi_1070_;
+                    phi_1071_ = _e465;
                 } else {
-                    phi_1066_ = true;
+                    phi_1071_ = true;
                 }
-                let _e466 = phi_1066_;
-                if _e466 {
-                    let _e468 = local_2.group_mask;
-                    let _e474 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e468)), 32u, (_e468 == 0u)));
-                    let _e478 = local_2.group_mask;
-                    let _e492 = local_2.group_mask;
-                    local_2.group_mask = (_e492 & ~((1u << bitcast<u32>((_e474 & 31u)))));
-                    let _e495 = local_2.group;
-                    phi_1097_ = (_e495 + countOneBits(((_e478 & ~((4294967295u << bitcast<u32>((((_e474 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e467 = phi_1071_;
+                if _e467 {
+                    let _e469 = local_2.group_mask;
+                    let _e475 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e469)), 32u, (_e469 == 0u)));
+                    let _e479 = local_2.group_mask;
+                    let _e493 = local_2.group_mask;
+                    local_2.group_mask = (_e493 & ~((1u << bitcast<u32>((_e475 & 31u)))));
+                    let _e496 = local_2.group;
+                    phi_1102_ = (_e496 + countOneBits(((_e479 & ~((4294967295u << bitcast<u32>((((_e475 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1097_ = 4294967295u;
+                    phi_1102_ = 4294967295u;
                 }
-                let _e498 = phi_1097_;
-                phi_1099_ = _e498;
-                phi_1102_ = false;
+                let _e499 = phi_1102_;
+                phi_1104_ = _e499;
+                phi_1107_ = false;
                 loop {
-                    let _e500 = phi_1099_;
-                    let _e502 = phi_1102_;
-                    if (_e500 != 4294967295u) {
-                        if (_e500 < _e77) {
+                    let _e501 = phi_1104_;
+                    let _e503 = phi_1107_;
+                    if (_e501 != 4294967295u) {
+                        if (_e501 < _e78) {
                         } else {
                             return;
                         }
-                        let _e509 = nodes.member[(0u + _e500)].frame[3u];
-                        let _e534 = (bitcast<f32>((((_e509 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e294);
-                        let _e535 = (bitcast<f32>((((_e509 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
-                        let _e536 = (bitcast<f32>((((_e509 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
-                        let _e539 = nodes.member[(0u + _e500)].frame[0u];
-                        let _e543 = nodes.member[(0u + _e500)].frame[1u];
-                        let _e547 = nodes.member[(0u + _e500)].frame[2u];
-                        let _e552 = ((bitcast<f32>(_e539) - _e136) * _e294);
-                        let _e553 = ((bitcast<f32>(_e543) - _e138) * _e304);
-                        let _e554 = ((bitcast<f32>(_e547) - _e140) * _e314);
-                        let _e562 = nodes.member[(0u + _e500)].x;
-                        if (_e294 < 0f) {
-                            let _e573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e562.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e573.unnamed.root, _e562.w), _e573.unnamed_1);
-                            let _e585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e579.unnamed, lt_bvh_traverse_Tree(_e562.x, _e579.unnamed_1.first_primitive));
-                            phi_1182_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e585.unnamed, lt_bvh_traverse_Tree(_e585.unnamed_1.root, _e562.y));
+                        let _e510 = nodes.member[(0u + _e501)].frame[3u];
+                        let _e535 = (bitcast<f32>((((_e510 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e295);
+                        let _e536 = (bitcast<f32>((((_e510 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e305);
+                        let _e537 = (bitcast<f32>((((_e510 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e315);
+                        let _e540 = nodes.member[(0u + _e501)].frame[0u];
+                        let _e544 = nodes.member[(0u + _e501)].frame[1u];
+                        let _e548 = nodes.member[(0u + _e501)].frame[2u];
+                        let _e553 = ((bitcast<f32>(_e540) - _e137) * _e295);
+                        let _e554 = ((bitcast<f32>(_e544) - _e139) * _e305);
+                        let _e555 = ((bitcast<f32>(_e548) - _e141) * _e315);
+                        let _e563 = nodes.member[(0u + _e501)].x;
+                        if (_e295 < 0f) {
+                            let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e563.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e574.unnamed.word, _e563.w), _e574.unnamed_1);
+                            let _e586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_mask_LightPlace(_e563.x, _e580.unnamed_1.shift));
+                            phi_1187_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e586.unnamed, lt_mask_LightPlace(_e586.unnamed_1.word, _e563.y));
                         } else {
-                            let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e562.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e601.unnamed.root, _e562.y), _e601.unnamed_1);
-                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_bvh_traverse_Tree(_e562.z, _e607.unnamed_1.first_primitive));
-                            phi_1182_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e613.unnamed, lt_bvh_traverse_Tree(_e613.unnamed_1.root, _e562.w));
+                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e563.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.unnamed.word, _e563.y), _e602.unnamed_1);
+                            let _e614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e608.unnamed, lt_mask_LightPlace(_e563.z, _e608.unnamed_1.shift));
+                            phi_1187_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e614.unnamed, lt_mask_LightPlace(_e614.unnamed_1.word, _e563.w));
                         }
-                        let _e621 = phi_1182_;
-                        let _e631 = nodes.member[(0u + _e500)].y;
-                        if (_e304 < 0f) {
-                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e631.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e642.unnamed.root, _e631.w), _e642.unnamed_1);
-                            let _e654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e631.x, _e648.unnamed_1.first_primitive));
-                            phi_1209_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e654.unnamed, lt_bvh_traverse_Tree(_e654.unnamed_1.root, _e631.y));
+                        let _e622 = phi_1187_;
+                        let _e632 = nodes.member[(0u + _e501)].y;
+                        if (_e305 < 0f) {
+                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e632.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e643.unnamed.word, _e632.w), _e643.unnamed_1);
+                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_mask_LightPlace(_e632.x, _e649.unnamed_1.shift));
+                            phi_1214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e655.unnamed_1.word, _e632.y));
                         } else {
-                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e631.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e670.unnamed.root, _e631.y), _e670.unnamed_1);
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_bvh_traverse_Tree(_e631.z, _e676.unnamed_1.first_primitive));
-                            phi_1209_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_bvh_traverse_Tree(_e682.unnamed_1.root, _e631.w));
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e632.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.unnamed.word, _e632.y), _e671.unnamed_1);
+                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_mask_LightPlace(_e632.z, _e677.unnamed_1.shift));
+                            phi_1214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_mask_LightPlace(_e683.unnamed_1.word, _e632.w));
                         }
-                        let _e690 = phi_1209_;
-                        let _e700 = nodes.member[(0u + _e500)].z;
-                        if (_e314 < 0f) {
-                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e700.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e711.unnamed.root, _e700.w), _e711.unnamed_1);
-                            let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e700.x, _e717.unnamed_1.first_primitive));
-                            phi_1236_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e723.unnamed, lt_bvh_traverse_Tree(_e723.unnamed_1.root, _e700.y));
+                        let _e691 = phi_1214_;
+                        let _e701 = nodes.member[(0u + _e501)].z;
+                        if (_e315 < 0f) {
+                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e701.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.unnamed.word, _e701.w), _e712.unnamed_1);
+                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_mask_LightPlace(_e701.x, _e718.unnamed_1.shift));
+                            phi_1241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e724.unnamed_1.word, _e701.y));
                         } else {
-                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e700.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e739.unnamed.root, _e700.y), _e739.unnamed_1);
-                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_bvh_traverse_Tree(_e700.z, _e745.unnamed_1.first_primitive));
-                            phi_1236_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_bvh_traverse_Tree(_e751.unnamed_1.root, _e700.w));
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e701.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.unnamed.word, _e701.y), _e740.unnamed_1);
+                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_mask_LightPlace(_e701.z, _e746.unnamed_1.shift));
+                            phi_1241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_mask_LightPlace(_e752.unnamed_1.word, _e701.w));
                         }
-                        let _e759 = phi_1236_;
-                        phi_1242_ = 0u;
-                        phi_1245_ = 0u;
+                        let _e760 = phi_1241_;
+                        phi_1247_ = 0u;
+                        phi_1250_ = 0u;
                         loop {
-                            let _e769 = phi_1242_;
-                            let _e771 = phi_1245_;
-                            local_3 = _e771;
-                            local_4 = _e771;
-                            local_5 = _e771;
-                            let _e772 = (_e769 < 8u);
-                            if _e772 {
-                                let _e774 = (_e769 >> bitcast<u32>(2i));
-                                let _e775 = (_e769 & 3u);
-                                if (_e774 == 0u) {
-                                    phi_1259_ = _e621.unnamed.root;
+                            let _e770 = phi_1247_;
+                            let _e772 = phi_1250_;
+                            local_3 = _e772;
+                            local_4 = _e772;
+                            local_5 = _e772;
+                            let _e773 = (_e770 < 8u);
+                            if _e773 {
+                                let _e775 = (_e770 >> bitcast<u32>(2i));
+                                let _e776 = (_e770 & 3u);
+                                if (_e775 == 0u) {
+                                    phi_1264_ = _e622.unnamed.word;
                                 } else {
-                                    phi_1259_ = _e621.unnamed.first_primitive;
+                                    phi_1264_ = _e622.unnamed.shift;
                                 }
-                                let _e778 = phi_1259_;
-                                if (_e774 == 0u) {
-                                    phi_1269_ = _e690.unnamed.root;
+                                let _e779 = phi_1264_;
+                                if (_e775 == 0u) {
+                                    phi_1274_ = _e691.unnamed.word;
                                 } else {
-                                    phi_1269_ = _e690.unnamed.first_primitive;
+                                    phi_1274_ = _e691.unnamed.shift;
                                 }
-                                let _e787 = phi_1269_;
-                                if (_e774 == 0u) {
-                                    phi_1279_ = _e759.unnamed.root;
+                                let _e788 = phi_1274_;
+                                if (_e775 == 0u) {
+                                    phi_1284_ = _e760.unnamed.word;
                                 } else {
-                                    phi_1279_ = _e759.unnamed.first_primitive;
+                                    phi_1284_ = _e760.unnamed.shift;
                                 }
-                                let _e796 = phi_1279_;
-                                let _e809 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e778 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e342)), ((f32(((_e787 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e535) + (_e553 - _e343)));
-                                let _e810 = core_intrinsics_maximum_number_nsz_f32_(_e809, ((f32(((_e796 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e536) + (_e554 - _e344)));
-                                if (_e774 == 0u) {
-                                    phi_1297_ = _e621.unnamed_1.root;
+                                let _e797 = phi_1284_;
+                                let _e810 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e779 >> bitcast<u32>(((_e776 * 8u) & 31u))) & 255u)) * _e535) + (_e553 - _e343)), ((f32(((_e788 >> bitcast<u32>(((_e776 * 8u) & 31u))) & 255u)) * _e536) + (_e554 - _e344)));
+                                let _e811 = core_intrinsics_maximum_number_nsz_f32_(_e810, ((f32(((_e797 >> bitcast<u32>(((_e776 * 8u) & 31u))) & 255u)) * _e537) + (_e555 - _e345)));
+                                if (_e775 == 0u) {
+                                    phi_1302_ = _e622.unnamed_1.word;
                                 } else {
-                                    phi_1297_ = _e621.unnamed_1.first_primitive;
+                                    phi_1302_ = _e622.unnamed_1.shift;
                                 }
-                                let _e813 = phi_1297_;
-                                if (_e774 == 0u) {
-                                    phi_1307_ = _e690.unnamed_1.root;
+                                let _e814 = phi_1302_;
+                                if (_e775 == 0u) {
+                                    phi_1312_ = _e691.unnamed_1.word;
                                 } else {
-                                    phi_1307_ = _e690.unnamed_1.first_primitive;
+                                    phi_1312_ = _e691.unnamed_1.shift;
                                 }
-                                let _e822 = phi_1307_;
-                                if (_e774 == 0u) {
-                                    phi_1317_ = _e759.unnamed_1.root;
+                                let _e823 = phi_1312_;
+                                if (_e775 == 0u) {
+                                    phi_1322_ = _e760.unnamed_1.word;
                                 } else {
-                                    phi_1317_ = _e759.unnamed_1.first_primitive;
+                                    phi_1322_ = _e760.unnamed_1.shift;
                                 }
-                                let _e831 = phi_1317_;
-                                let _e844 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e813 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e342)), ((f32(((_e822 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e535) + (_e553 + _e343)));
-                                let _e845 = core_intrinsics_minimum_number_nsz_f32_(_e844, ((f32(((_e831 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e536) + (_e554 + _e344)));
-                                if (_e810 <= _e845) {
-                                    if (_e810 <= _e146) {
-                                        if (_e845 >= 0f) {
-                                            if (_e774 == 0u) {
-                                                let _e852 = nodes.member[(0u + _e500)].links[2u];
-                                                phi_1353_ = _e852;
+                                let _e832 = phi_1322_;
+                                let _e845 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e814 >> bitcast<u32>(((_e776 * 8u) & 31u))) & 255u)) * _e535) + (_e553 + _e343)), ((f32(((_e823 >> bitcast<u32>(((_e776 * 8u) & 31u))) & 255u)) * _e536) + (_e554 + _e344)));
+                                let _e846 = core_intrinsics_minimum_number_nsz_f32_(_e845, ((f32(((_e832 >> bitcast<u32>(((_e776 * 8u) & 31u))) & 255u)) * _e537) + (_e555 + _e345)));
+                                if (_e811 <= _e846) {
+                                    if (_e811 <= _e147) {
+                                        if (_e846 >= 0f) {
+                                            if (_e775 == 0u) {
+                                                let _e853 = nodes.member[(0u + _e501)].links[2u];
+                                                phi_1358_ = _e853;
                                             } else {
-                                                let _e855 = nodes.member[(0u + _e500)].links[3u];
-                                                phi_1353_ = _e855;
+                                                let _e856 = nodes.member[(0u + _e501)].links[3u];
+                                                phi_1358_ = _e856;
                                             }
-                                            let _e857 = phi_1353_;
-                                            let _e862 = ((_e857 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u);
-                                            let _e863 = (_e862 & 31u);
-                                            if (_e863 >= 24u) {
-                                                phi_1366_ = (24u + ((_e863 - 24u) ^ _e362));
+                                            let _e858 = phi_1358_;
+                                            let _e863 = ((_e858 >> bitcast<u32>(((_e776 * 8u) & 31u))) & 255u);
+                                            let _e864 = (_e863 & 31u);
+                                            if (_e864 >= 24u) {
+                                                phi_1371_ = (24u + ((_e864 - 24u) ^ _e363));
                                             } else {
-                                                phi_1366_ = _e863;
+                                                phi_1371_ = _e864;
                                             }
-                                            let _e869 = phi_1366_;
-                                            phi_1371_ = (_e771 | ((_e862 >> bitcast<u32>(5i)) << bitcast<u32>((_e869 & 31u))));
+                                            let _e870 = phi_1371_;
+                                            phi_1376_ = (_e772 | ((_e863 >> bitcast<u32>(5i)) << bitcast<u32>((_e870 & 31u))));
                                         } else {
-                                            phi_1371_ = _e771;
+                                            phi_1376_ = _e772;
                                         }
-                                        let _e877 = phi_1371_;
-                                        phi_1372_ = _e877;
+                                        let _e878 = phi_1376_;
+                                        phi_1377_ = _e878;
                                     } else {
-                                        phi_1372_ = _e771;
+                                        phi_1377_ = _e772;
                                     }
-                                    let _e879 = phi_1372_;
-                                    phi_1373_ = _e879;
+                                    let _e880 = phi_1377_;
+                                    phi_1378_ = _e880;
                                 } else {
-                                    phi_1373_ = _e771;
+                                    phi_1378_ = _e772;
                                 }
-                                let _e881 = phi_1373_;
-                                phi_1243_ = (_e769 + 1u);
-                                phi_1246_ = _e881;
+                                let _e882 = phi_1378_;
+                                phi_1248_ = (_e770 + 1u);
+                                phi_1251_ = _e882;
                             } else {
-                                phi_1243_ = u32();
-                                phi_1246_ = u32();
+                                phi_1248_ = u32();
+                                phi_1251_ = u32();
                             }
-                            let _e884 = phi_1243_;
-                            let _e886 = phi_1246_;
+                            let _e885 = phi_1248_;
+                            let _e887 = phi_1251_;
                             continue;
                             continuing {
-                                phi_1242_ = _e884;
-                                phi_1245_ = _e886;
-                                break if !(_e772);
+                                phi_1247_ = _e885;
+                                phi_1250_ = _e887;
+                                break if !(_e773);
                             }
                         }
-                        let _e890 = nodes.member[(0u + _e500)].links[0u];
-                        let _e894 = nodes.member[(0u + _e500)].frame[3u];
-                        let _e898 = local_3;
-                        if ((_e898 & 4278190080u) == 0u) {
+                        let _e891 = nodes.member[(0u + _e501)].links[0u];
+                        let _e895 = nodes.member[(0u + _e501)].frame[3u];
+                        let _e899 = local_3;
+                        if ((_e899 & 4278190080u) == 0u) {
                         } else {
-                            let _e902 = local_2.group_mask;
-                            if ((_e902 & 4278190080u) == 0u) {
+                            let _e903 = local_2.group_mask;
+                            if ((_e903 & 4278190080u) == 0u) {
                             } else {
-                                let _e906 = local_2.len;
-                                if (_e906 < 32u) {
-                                    let _e909 = local_2.group;
-                                    let _e911 = local_2.len;
-                                    if (_e911 < 32u) {
+                                let _e907 = local_2.len;
+                                if (_e907 < 32u) {
+                                    let _e910 = local_2.group;
+                                    let _e912 = local_2.len;
+                                    if (_e912 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e911)] = _e909;
-                                    let _e917 = local_2.group_mask;
-                                    let _e919 = local_2.len;
-                                    if (_e919 < 32u) {
+                                    local_2.first[(0u + _e912)] = _e910;
+                                    let _e918 = local_2.group_mask;
+                                    let _e920 = local_2.len;
+                                    if (_e920 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e919)] = _e917;
-                                    let _e926 = local_2.len;
-                                    local_2.len = (_e926 + 1u);
+                                    local_2.mask[(0u + _e920)] = _e918;
+                                    let _e927 = local_2.len;
+                                    local_2.len = (_e927 + 1u);
                                 }
                             }
-                            local_2.group = (_e116 + _e890);
-                            let _e930 = local_4;
-                            local_2.group_mask = ((_e930 & 4278190080u) | (_e894 >> bitcast<u32>(24i)));
+                            local_2.group = (_e117 + _e891);
+                            let _e931 = local_4;
+                            local_2.group_mask = ((_e931 & 4278190080u) | (_e895 >> bitcast<u32>(24i)));
                         }
-                        let _e935 = local_5;
-                        phi_1431_ = (_e935 & 16777215u);
-                        phi_1434_ = _e502;
+                        let _e936 = local_5;
+                        phi_1436_ = (_e936 & 16777215u);
+                        phi_1439_ = _e503;
                         loop {
-                            let _e938 = phi_1431_;
-                            let _e940 = phi_1434_;
-                            local_18 = _e940;
-                            let _e941 = (_e938 == 0u);
-                            local_11 = _e941;
-                            local_19 = _e941;
-                            if _e941 {
-                                phi_1432_ = u32();
-                                phi_1435_ = bool();
-                                phi_3286_ = false;
+                            let _e939 = phi_1436_;
+                            let _e941 = phi_1439_;
+                            local_18 = _e941;
+                            let _e942 = (_e939 == 0u);
+                            local_11 = _e942;
+                            local_19 = _e942;
+                            if _e942 {
+                                phi_1437_ = u32();
+                                phi_1440_ = bool();
+                                phi_3291_ = false;
                             } else {
-                                let _e944 = nodes.member[(0u + _e500)].links[1u];
-                                let _e948 = (_e944 + select(firstTrailingBit(_e938), 32u, (_e938 == 0u)));
-                                if (_e948 < arrayLength((&instances.member))) {
+                                let _e945 = nodes.member[(0u + _e501)].links[1u];
+                                let _e949 = (_e945 + select(firstTrailingBit(_e939), 32u, (_e939 == 0u)));
+                                if (_e949 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e955 = instances.member[(0u + _e948)].low_world;
-                                let _e957 = instances.member[(0u + _e948)].high_world;
-                                let _e964 = ((_e955.x - _e136) * _e294);
-                                let _e965 = ((_e955.y - _e138) * _e304);
-                                let _e966 = ((_e955.z - _e140) * _e314);
-                                let _e973 = ((_e957.x - _e136) * _e294);
-                                let _e974 = ((_e957.y - _e138) * _e304);
-                                let _e975 = ((_e957.z - _e140) * _e314);
-                                if (_e964 < _e973) {
-                                    phi_1483_ = _e964;
-                                } else {
-                                    phi_1483_ = _e973;
-                                }
-                                let _e978 = phi_1483_;
+                                let _e956 = instances.member[(0u + _e949)].low_world;
+                                let _e958 = instances.member[(0u + _e949)].high_world;
+                                let _e965 = ((_e956.x - _e137) * _e295);
+                                let _e966 = ((_e956.y - _e139) * _e305);
+                                let _e967 = ((_e956.z - _e141) * _e315);
+                                let _e974 = ((_e958.x - _e137) * _e295);
+                                let _e975 = ((_e958.y - _e139) * _e305);
+                                let _e976 = ((_e958.z - _e141) * _e315);
                                 if (_e965 < _e974) {
                                     phi_1488_ = _e965;
                                 } else {
                                     phi_1488_ = _e974;
                                 }
-                                let _e981 = phi_1488_;
+                                let _e979 = phi_1488_;
                                 if (_e966 < _e975) {
                                     phi_1493_ = _e966;
                                 } else {
                                     phi_1493_ = _e975;
                                 }
-                                let _e984 = phi_1493_;
-                                if (_e964 > _e973) {
-                                    phi_1501_ = _e964;
+                                let _e982 = phi_1493_;
+                                if (_e967 < _e976) {
+                                    phi_1498_ = _e967;
                                 } else {
-                                    phi_1501_ = _e973;
+                                    phi_1498_ = _e976;
                                 }
-                                let _e990 = phi_1501_;
+                                let _e985 = phi_1498_;
                                 if (_e965 > _e974) {
                                     phi_1506_ = _e965;
                                 } else {
                                     phi_1506_ = _e974;
                                 }
-                                let _e993 = phi_1506_;
+                                let _e991 = phi_1506_;
                                 if (_e966 > _e975) {
                                     phi_1511_ = _e966;
                                 } else {
                                     phi_1511_ = _e975;
                                 }
-                                let _e996 = phi_1511_;
-                                let _e1000 = core_intrinsics_maximum_number_nsz_f32_((_e978 - _e349), (_e981 - _e350));
-                                let _e1001 = core_intrinsics_maximum_number_nsz_f32_(_e1000, (_e984 - _e351));
-                                let _e1002 = core_intrinsics_minimum_number_nsz_f32_((_e990 + _e349), (_e993 + _e350));
-                                let _e1003 = core_intrinsics_minimum_number_nsz_f32_(_e1002, (_e996 + _e351));
-                                if (_e1001 <= _e1003) {
-                                    if (_e1001 <= _e146) {
-                                        if (_e1003 >= 0f) {
-                                            let _e1009 = instances.member[(0u + _e948)].world_to_object[0u];
-                                            let _e1020 = ((((_e1009.x * _e136) + (_e1009.y * _e138)) + (_e1009.z * _e140)) + (_e1009.w * 1f));
-                                            let _e1022 = instances.member[(0u + _e948)].world_to_object[1u];
-                                            let _e1033 = ((((_e1022.x * _e136) + (_e1022.y * _e138)) + (_e1022.z * _e140)) + (_e1022.w * 1f));
-                                            let _e1035 = instances.member[(0u + _e948)].world_to_object[2u];
-                                            let _e1046 = ((((_e1035.x * _e136) + (_e1035.y * _e138)) + (_e1035.z * _e140)) + (_e1035.w * 1f));
-                                            let _e1049 = instances.member[(0u + _e948)].world_to_object[0u];
-                                            let _e1060 = ((((_e1049.x * _e154) + (_e1049.y * _e155)) + (_e1049.z * _e156)) + (_e1049.w * 0f));
-                                            let _e1062 = instances.member[(0u + _e948)].world_to_object[1u];
-                                            let _e1073 = ((((_e1062.x * _e154) + (_e1062.y * _e155)) + (_e1062.z * _e156)) + (_e1062.w * 0f));
-                                            let _e1075 = instances.member[(0u + _e948)].world_to_object[2u];
-                                            let _e1086 = ((((_e1075.x * _e154) + (_e1075.y * _e155)) + (_e1075.z * _e156)) + (_e1075.w * 0f));
-                                            let _e1089 = instances.member[(0u + _e948)].root;
-                                            let _e1091 = instances.member[(0u + _e948)].first_triangle;
-                                            let _e1095 = abs(_e1060);
-                                            let _e1096 = abs(_e1073);
-                                            let _e1097 = abs(_e1086);
-                                            if (abs(_e1020) < 1000000000000000f) {
-                                                if (abs(_e1033) < 1000000000000000f) {
-                                                    if (abs(_e1046) < 1000000000000000f) {
-                                                        if (_e1095 < 1000000000000000f) {
-                                                            if (_e1096 < 1000000000000000f) {
-                                                                if (_e1097 < 1000000000000000f) {
-                                                                    if (_e1095 > 0f) {
-                                                                        phi_1656_ = bool();
-                                                                        phi_1657_ = true;
+                                let _e994 = phi_1511_;
+                                if (_e967 > _e976) {
+                                    phi_1516_ = _e967;
+                                } else {
+                                    phi_1516_ = _e976;
+                                }
+                                let _e997 = phi_1516_;
+                                let _e1001 = core_intrinsics_maximum_number_nsz_f32_((_e979 - _e350), (_e982 - _e351));
+                                let _e1002 = core_intrinsics_maximum_number_nsz_f32_(_e1001, (_e985 - _e352));
+                                let _e1003 = core_intrinsics_minimum_number_nsz_f32_((_e991 + _e350), (_e994 + _e351));
+                                let _e1004 = core_intrinsics_minimum_number_nsz_f32_(_e1003, (_e997 + _e352));
+                                if (_e1002 <= _e1004) {
+                                    if (_e1002 <= _e147) {
+                                        if (_e1004 >= 0f) {
+                                            let _e1010 = instances.member[(0u + _e949)].world_to_object[0u];
+                                            let _e1021 = ((((_e1010.x * _e137) + (_e1010.y * _e139)) + (_e1010.z * _e141)) + (_e1010.w * 1f));
+                                            let _e1023 = instances.member[(0u + _e949)].world_to_object[1u];
+                                            let _e1034 = ((((_e1023.x * _e137) + (_e1023.y * _e139)) + (_e1023.z * _e141)) + (_e1023.w * 1f));
+                                            let _e1036 = instances.member[(0u + _e949)].world_to_object[2u];
+                                            let _e1047 = ((((_e1036.x * _e137) + (_e1036.y * _e139)) + (_e1036.z * _e141)) + (_e1036.w * 1f));
+                                            let _e1050 = instances.member[(0u + _e949)].world_to_object[0u];
+                                            let _e1061 = ((((_e1050.x * _e155) + (_e1050.y * _e156)) + (_e1050.z * _e157)) + (_e1050.w * 0f));
+                                            let _e1063 = instances.member[(0u + _e949)].world_to_object[1u];
+                                            let _e1074 = ((((_e1063.x * _e155) + (_e1063.y * _e156)) + (_e1063.z * _e157)) + (_e1063.w * 0f));
+                                            let _e1076 = instances.member[(0u + _e949)].world_to_object[2u];
+                                            let _e1087 = ((((_e1076.x * _e155) + (_e1076.y * _e156)) + (_e1076.z * _e157)) + (_e1076.w * 0f));
+                                            let _e1090 = instances.member[(0u + _e949)].root;
+                                            let _e1092 = instances.member[(0u + _e949)].first_triangle;
+                                            let _e1096 = abs(_e1061);
+                                            let _e1097 = abs(_e1074);
+                                            let _e1098 = abs(_e1087);
+                                            if (abs(_e1021) < 1000000000000000f) {
+                                                if (abs(_e1034) < 1000000000000000f) {
+                                                    if (abs(_e1047) < 1000000000000000f) {
+                                                        if (_e1096 < 1000000000000000f) {
+                                                            if (_e1097 < 1000000000000000f) {
+                                                                if (_e1098 < 1000000000000000f) {
+                                                                    if (_e1096 > 0f) {
+                                                                        phi_1661_ = bool();
+                                                                        phi_1662_ = true;
                                                                     } else {
-                                                                        let _e1105 = (_e1096 > 0f);
-                                                                        if _e1105 {
-                                                                            phi_1655_ = bool();
+                                                                        let _e1106 = (_e1097 > 0f);
+                                                                        if _e1106 {
+                                                                            phi_1660_ = bool();
                                                                         } else {
-                                                                            phi_1655_ = (_e1097 > 0f);
+                                                                            phi_1660_ = (_e1098 > 0f);
                                                                         }
-                                                                        let _e1108 = phi_1655_;
-                                                                        phi_1656_ = _e1108;
-                                                                        phi_1657_ = _e1105;
+                                                                        let _e1109 = phi_1660_;
+                                                                        phi_1661_ = _e1109;
+                                                                        phi_1662_ = _e1106;
                                                                     }
-                                                                    let _e1110 = phi_1656_;
-                                                                    let _e1112 = phi_1657_;
-                                                                    if _e1112 {
-                                                                        phi_1661_ = true;
+                                                                    let _e1111 = phi_1661_;
+                                                                    let _e1113 = phi_1662_;
+                                                                    if _e1113 {
+                                                                        phi_1666_ = true;
                                                                     } else {
-                                                                        phi_1661_ = _e1110;
+                                                                        phi_1666_ = _e1111;
                                                                     }
-                                                                    let _e1114 = phi_1661_;
-                                                                    phi_1662_ = _e1114;
-                                                                    phi_1663_ = false;
+                                                                    let _e1115 = phi_1666_;
+                                                                    phi_1667_ = _e1115;
+                                                                    phi_1668_ = false;
                                                                 } else {
-                                                                    phi_1662_ = bool();
-                                                                    phi_1663_ = true;
+                                                                    phi_1667_ = bool();
+                                                                    phi_1668_ = true;
                                                                 }
-                                                                let _e1116 = phi_1662_;
-                                                                let _e1118 = phi_1663_;
-                                                                phi_1664_ = _e1116;
-                                                                phi_1665_ = false;
-                                                                phi_1666_ = _e1118;
+                                                                let _e1117 = phi_1667_;
+                                                                let _e1119 = phi_1668_;
+                                                                phi_1669_ = _e1117;
+                                                                phi_1670_ = false;
+                                                                phi_1671_ = _e1119;
                                                             } else {
-                                                                phi_1664_ = bool();
-                                                                phi_1665_ = true;
-                                                                phi_1666_ = false;
+                                                                phi_1669_ = bool();
+                                                                phi_1670_ = true;
+                                                                phi_1671_ = false;
                                                             }
-                                                            let _e1120 = phi_1664_;
-                                                            let _e1122 = phi_1665_;
-                                                            let _e1124 = phi_1666_;
-                                                            phi_1667_ = _e1120;
-                                                            phi_1668_ = _e1122;
-                                                            phi_1669_ = _e1124;
+                                                            let _e1121 = phi_1669_;
+                                                            let _e1123 = phi_1670_;
+                                                            let _e1125 = phi_1671_;
+                                                            phi_1672_ = _e1121;
+                                                            phi_1673_ = _e1123;
+                                                            phi_1674_ = _e1125;
                                                         } else {
-                                                            phi_1667_ = bool();
-                                                            phi_1668_ = true;
-                                                            phi_1669_ = false;
+                                                            phi_1672_ = bool();
+                                                            phi_1673_ = true;
+                                                            phi_1674_ = false;
                                                         }
-                                                        let _e1126 = phi_1667_;
-                                                        let _e1128 = phi_1668_;
-                                                        let _e1130 = phi_1669_;
-                                                        phi_1670_ = _e1126;
-                                                        phi_1671_ = _e1128;
-                                                        phi_1672_ = _e1130;
+                                                        let _e1127 = phi_1672_;
+                                                        let _e1129 = phi_1673_;
+                                                        let _e1131 = phi_1674_;
+                                                        phi_1675_ = _e1127;
+                                                        phi_1676_ = _e1129;
+                                                        phi_1677_ = _e1131;
                                                     } else {
-                                                        phi_1670_ = bool();
-                                                        phi_1671_ = true;
-                                                        phi_1672_ = false;
+                                                        phi_1675_ = bool();
+                                                        phi_1676_ = true;
+                                                        phi_1677_ = false;
                                                     }
-                                                    let _e1132 = phi_1670_;
-                                                    let _e1134 = phi_1671_;
-                                                    let _e1136 = phi_1672_;
-                                                    phi_1673_ = _e1132;
-                                                    phi_1674_ = _e1134;
-                                                    phi_1675_ = _e1136;
+                                                    let _e1133 = phi_1675_;
+                                                    let _e1135 = phi_1676_;
+                                                    let _e1137 = phi_1677_;
+                                                    phi_1678_ = _e1133;
+                                                    phi_1679_ = _e1135;
+                                                    phi_1680_ = _e1137;
                                                 } else {
-                                                    phi_1673_ = bool();
-                                                    phi_1674_ = true;
-                                                    phi_1675_ = false;
+                                                    phi_1678_ = bool();
+                                                    phi_1679_ = true;
+                                                    phi_1680_ = false;
                                                 }
-                                                let _e1138 = phi_1673_;
-                                                let _e1140 = phi_1674_;
-                                                let _e1142 = phi_1675_;
-                                                phi_1676_ = _e1138;
-                                                phi_1677_ = _e1140;
-                                                phi_1678_ = _e1142;
+                                                let _e1139 = phi_1678_;
+                                                let _e1141 = phi_1679_;
+                                                let _e1143 = phi_1680_;
+                                                phi_1681_ = _e1139;
+                                                phi_1682_ = _e1141;
+                                                phi_1683_ = _e1143;
                                             } else {
-                                                phi_1676_ = bool();
-                                                phi_1677_ = true;
-                                                phi_1678_ = false;
-                                            }
-                                            let _e1144 = phi_1676_;
-                                            let _e1146 = phi_1677_;
-                                            let _e1148 = phi_1678_;
-                                            if _e1146 {
+                                                phi_1681_ = bool();
                                                 phi_1682_ = true;
-                                            } else {
-                                                phi_1682_ = _e1148;
+                                                phi_1683_ = false;
                                             }
-                                            let _e1150 = phi_1682_;
-                                            if _e1150 {
-                                                phi_1686_ = false;
+                                            let _e1145 = phi_1681_;
+                                            let _e1147 = phi_1682_;
+                                            let _e1149 = phi_1683_;
+                                            if _e1147 {
+                                                phi_1687_ = true;
                                             } else {
-                                                phi_1686_ = _e1144;
+                                                phi_1687_ = _e1149;
                                             }
-                                            let _e1152 = phi_1686_;
-                                            if _e1152 {
-                                                let _e1153 = (_e1089 >= _e77);
-                                                if _e1153 {
-                                                    phi_3266_ = bool();
+                                            let _e1151 = phi_1687_;
+                                            if _e1151 {
+                                                phi_1691_ = false;
+                                            } else {
+                                                phi_1691_ = _e1145;
+                                            }
+                                            let _e1153 = phi_1691_;
+                                            if _e1153 {
+                                                let _e1154 = (_e1090 >= _e78);
+                                                if _e1154 {
+                                                    phi_3271_ = bool();
                                                 } else {
-                                                    if (_e1089 < _e77) {
+                                                    if (_e1090 < _e78) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1159 = nodes.member[(0u + _e1089)].frame[0u];
-                                                    let _e1163 = nodes.member[(0u + _e1089)].frame[1u];
-                                                    let _e1167 = nodes.member[(0u + _e1089)].frame[2u];
-                                                    let _e1171 = nodes.member[(0u + _e1089)].frame[0u];
-                                                    let _e1175 = nodes.member[(0u + _e1089)].frame[1u];
-                                                    let _e1179 = nodes.member[(0u + _e1089)].frame[2u];
-                                                    let _e1183 = nodes.member[(0u + _e1089)].frame[3u];
-                                                    let _e1217 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1060), abs(_e1073));
-                                                    let _e1218 = core_intrinsics_maximum_number_nsz_f32_(_e1217, abs(_e1086));
-                                                    let _e1219 = (_e1218 * 0.0000000000009094947f);
-                                                    if (abs(_e1060) < _e1219) {
-                                                        phi_1756_ = _e1219;
+                                                    let _e1160 = nodes.member[(0u + _e1090)].frame[0u];
+                                                    let _e1164 = nodes.member[(0u + _e1090)].frame[1u];
+                                                    let _e1168 = nodes.member[(0u + _e1090)].frame[2u];
+                                                    let _e1172 = nodes.member[(0u + _e1090)].frame[0u];
+                                                    let _e1176 = nodes.member[(0u + _e1090)].frame[1u];
+                                                    let _e1180 = nodes.member[(0u + _e1090)].frame[2u];
+                                                    let _e1184 = nodes.member[(0u + _e1090)].frame[3u];
+                                                    let _e1218 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1061), abs(_e1074));
+                                                    let _e1219 = core_intrinsics_maximum_number_nsz_f32_(_e1218, abs(_e1087));
+                                                    let _e1220 = (_e1219 * 0.0000000000009094947f);
+                                                    if (abs(_e1061) < _e1220) {
+                                                        phi_1761_ = _e1220;
                                                     } else {
-                                                        phi_1756_ = abs(_e1060);
+                                                        phi_1761_ = abs(_e1061);
                                                     }
-                                                    let _e1224 = phi_1756_;
-                                                    if (_e1060 < 0f) {
-                                                        phi_1763_ = (-1f / _e1224);
+                                                    let _e1225 = phi_1761_;
+                                                    if (_e1061 < 0f) {
+                                                        phi_1768_ = (-1f / _e1225);
                                                     } else {
-                                                        phi_1763_ = (1f / _e1224);
+                                                        phi_1768_ = (1f / _e1225);
                                                     }
-                                                    let _e1229 = phi_1763_;
-                                                    if (abs(_e1073) < _e1219) {
-                                                        phi_1770_ = _e1219;
+                                                    let _e1230 = phi_1768_;
+                                                    if (abs(_e1074) < _e1220) {
+                                                        phi_1775_ = _e1220;
                                                     } else {
-                                                        phi_1770_ = abs(_e1073);
+                                                        phi_1775_ = abs(_e1074);
                                                     }
-                                                    let _e1234 = phi_1770_;
-                                                    if (_e1073 < 0f) {
-                                                        phi_1777_ = (-1f / _e1234);
+                                                    let _e1235 = phi_1775_;
+                                                    if (_e1074 < 0f) {
+                                                        phi_1782_ = (-1f / _e1235);
                                                     } else {
-                                                        phi_1777_ = (1f / _e1234);
+                                                        phi_1782_ = (1f / _e1235);
                                                     }
-                                                    let _e1239 = phi_1777_;
-                                                    if (abs(_e1086) < _e1219) {
-                                                        phi_1784_ = _e1219;
+                                                    let _e1240 = phi_1782_;
+                                                    if (abs(_e1087) < _e1220) {
+                                                        phi_1789_ = _e1220;
                                                     } else {
-                                                        phi_1784_ = abs(_e1086);
+                                                        phi_1789_ = abs(_e1087);
                                                     }
-                                                    let _e1244 = phi_1784_;
-                                                    if (_e1086 < 0f) {
-                                                        phi_1791_ = (-1f / _e1244);
+                                                    let _e1245 = phi_1789_;
+                                                    if (_e1087 < 0f) {
+                                                        phi_1796_ = (-1f / _e1245);
                                                     } else {
-                                                        phi_1791_ = (1f / _e1244);
+                                                        phi_1796_ = (1f / _e1245);
                                                     }
-                                                    let _e1249 = phi_1791_;
-                                                    let _e1253 = abs((bitcast<f32>(_e1159) - _e1020));
-                                                    let _e1254 = abs((bitcast<f32>(_e1163) - _e1033));
-                                                    let _e1255 = abs((bitcast<f32>(_e1167) - _e1046));
-                                                    let _e1259 = abs(((bitcast<f32>(_e1171) + (bitcast<f32>((((_e1183 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1020));
-                                                    let _e1260 = abs(((bitcast<f32>(_e1175) + (bitcast<f32>((((_e1183 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1033));
-                                                    let _e1261 = abs(((bitcast<f32>(_e1179) + (bitcast<f32>((((_e1183 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1046));
-                                                    if (_e1253 > _e1259) {
-                                                        phi_1808_ = _e1253;
-                                                    } else {
-                                                        phi_1808_ = _e1259;
-                                                    }
-                                                    let _e1264 = phi_1808_;
+                                                    let _e1250 = phi_1796_;
+                                                    let _e1254 = abs((bitcast<f32>(_e1160) - _e1021));
+                                                    let _e1255 = abs((bitcast<f32>(_e1164) - _e1034));
+                                                    let _e1256 = abs((bitcast<f32>(_e1168) - _e1047));
+                                                    let _e1260 = abs(((bitcast<f32>(_e1172) + (bitcast<f32>((((_e1184 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1021));
+                                                    let _e1261 = abs(((bitcast<f32>(_e1176) + (bitcast<f32>((((_e1184 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1034));
+                                                    let _e1262 = abs(((bitcast<f32>(_e1180) + (bitcast<f32>((((_e1184 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1047));
                                                     if (_e1254 > _e1260) {
                                                         phi_1813_ = _e1254;
                                                     } else {
                                                         phi_1813_ = _e1260;
                                                     }
-                                                    let _e1267 = phi_1813_;
+                                                    let _e1265 = phi_1813_;
                                                     if (_e1255 > _e1261) {
                                                         phi_1818_ = _e1255;
                                                     } else {
                                                         phi_1818_ = _e1261;
                                                     }
-                                                    let _e1270 = phi_1818_;
-                                                    let _e1271 = core_intrinsics_maximum_number_nsz_f32_(_e1264, _e1267);
-                                                    let _e1272 = core_intrinsics_maximum_number_nsz_f32_(_e1271, _e1270);
-                                                    let _e1276 = (_e1272 * 0.0000019073486f);
-                                                    let _e1277 = (abs(_e1229) * _e1276);
-                                                    let _e1278 = (abs(_e1239) * _e1276);
-                                                    let _e1279 = (abs(_e1249) * _e1276);
-                                                    let _e1283 = (_e1272 * 0.0000009536743f);
-                                                    let _e1284 = (abs(_e1229) * _e1283);
-                                                    let _e1285 = (abs(_e1239) * _e1283);
-                                                    let _e1286 = (abs(_e1249) * _e1283);
-                                                    let _e1287 = abs(_e1060);
-                                                    let _e1288 = abs(_e1073);
-                                                    let _e1289 = abs(_e1086);
-                                                    if (_e1287 >= _e1288) {
-                                                        if (_e1287 >= _e1289) {
-                                                            phi_1846_ = false;
+                                                    let _e1268 = phi_1818_;
+                                                    if (_e1256 > _e1262) {
+                                                        phi_1823_ = _e1256;
+                                                    } else {
+                                                        phi_1823_ = _e1262;
+                                                    }
+                                                    let _e1271 = phi_1823_;
+                                                    let _e1272 = core_intrinsics_maximum_number_nsz_f32_(_e1265, _e1268);
+                                                    let _e1273 = core_intrinsics_maximum_number_nsz_f32_(_e1272, _e1271);
+                                                    let _e1277 = (_e1273 * 0.0000019073486f);
+                                                    let _e1278 = (abs(_e1230) * _e1277);
+                                                    let _e1279 = (abs(_e1240) * _e1277);
+                                                    let _e1280 = (abs(_e1250) * _e1277);
+                                                    let _e1284 = (_e1273 * 0.0000009536743f);
+                                                    let _e1285 = (abs(_e1230) * _e1284);
+                                                    let _e1286 = (abs(_e1240) * _e1284);
+                                                    let _e1287 = (abs(_e1250) * _e1284);
+                                                    let _e1288 = abs(_e1061);
+                                                    let _e1289 = abs(_e1074);
+                                                    let _e1290 = abs(_e1087);
+                                                    if (_e1288 >= _e1289) {
+                                                        if (_e1288 >= _e1290) {
+                                                            phi_1851_ = false;
                                                         } else {
-                                                            phi_1846_ = true;
+                                                            phi_1851_ = true;
                                                         }
-                                                        let _e1293 = phi_1846_;
-                                                        phi_1847_ = _e1293;
+                                                        let _e1294 = phi_1851_;
+                                                        phi_1852_ = _e1294;
                                                     } else {
-                                                        phi_1847_ = true;
+                                                        phi_1852_ = true;
                                                     }
-                                                    let _e1295 = phi_1847_;
-                                                    if _e1295 {
-                                                        if (_e1288 >= _e1289) {
-                                                            phi_1855_ = 1u;
+                                                    let _e1296 = phi_1852_;
+                                                    if _e1296 {
+                                                        if (_e1289 >= _e1290) {
+                                                            phi_1860_ = 1u;
                                                         } else {
-                                                            phi_1855_ = 2u;
+                                                            phi_1860_ = 2u;
                                                         }
-                                                        let _e1298 = phi_1855_;
-                                                        phi_1856_ = _e1298;
+                                                        let _e1299 = phi_1860_;
+                                                        phi_1861_ = _e1299;
                                                     } else {
-                                                        phi_1856_ = 0u;
+                                                        phi_1861_ = 0u;
                                                     }
-                                                    let _e1300 = phi_1856_;
-                                                    if (_e1300 == 0u) {
-                                                        phi_1868_ = vec3<f32>(_e1073, _e1086, _e1060);
+                                                    let _e1301 = phi_1861_;
+                                                    if (_e1301 == 0u) {
+                                                        phi_1873_ = vec3<f32>(_e1074, _e1087, _e1061);
                                                     } else {
-                                                        if (_e1300 == 1u) {
-                                                            phi_1867_ = vec3<f32>(_e1086, _e1060, _e1073);
+                                                        if (_e1301 == 1u) {
+                                                            phi_1872_ = vec3<f32>(_e1087, _e1061, _e1074);
                                                         } else {
-                                                            phi_1867_ = vec3<f32>(_e1060, _e1073, _e1086);
+                                                            phi_1872_ = vec3<f32>(_e1061, _e1074, _e1087);
                                                         }
-                                                        let _e1306 = phi_1867_;
-                                                        phi_1868_ = _e1306;
+                                                        let _e1307 = phi_1872_;
+                                                        phi_1873_ = _e1307;
                                                     }
-                                                    let _e1308 = phi_1868_;
-                                                    let _e1311 = (_e1308.x / _e1308.z);
-                                                    let _e1314 = (_e1308.y / _e1308.z);
-                                                    if (_e1229 < 0f) {
-                                                        phi_1881_ = 0u;
-                                                    } else {
-                                                        phi_1881_ = 1u;
-                                                    }
-                                                    let _e1319 = phi_1881_;
-                                                    if (_e1239 < 0f) {
+                                                    let _e1309 = phi_1873_;
+                                                    let _e1312 = (_e1309.x / _e1309.z);
+                                                    let _e1315 = (_e1309.y / _e1309.z);
+                                                    if (_e1230 < 0f) {
                                                         phi_1886_ = 0u;
                                                     } else {
-                                                        phi_1886_ = 2u;
+                                                        phi_1886_ = 1u;
                                                     }
-                                                    let _e1322 = phi_1886_;
-                                                    if (_e1249 < 0f) {
+                                                    let _e1320 = phi_1886_;
+                                                    if (_e1240 < 0f) {
                                                         phi_1891_ = 0u;
                                                     } else {
-                                                        phi_1891_ = 4u;
+                                                        phi_1891_ = 2u;
                                                     }
-                                                    let _e1325 = phi_1891_;
-                                                    let _e1327 = ((_e1319 | _e1322) | _e1325);
-                                                    let _e1328 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1089, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1328.first[0], _e1328.first[1], _e1328.first[2], _e1328.first[3], _e1328.first[4], _e1328.first[5], _e1328.first[6], _e1328.first[7], _e1328.first[8], _e1328.first[9], _e1328.first[10], _e1328.first[11], _e1328.first[12], _e1328.first[13], _e1328.first[14], _e1328.first[15], _e1328.first[16], _e1328.first[17], _e1328.first[18], _e1328.first[19], _e1328.first[20], _e1328.first[21], _e1328.first[22], _e1328.first[23], _e1328.first[24], _e1328.first[25], _e1328.first[26], _e1328.first[27], _e1328.first[28], _e1328.first[29], _e1328.first[30], _e1328.first[31]), array<u32, 32>(_e1328.mask[0], _e1328.mask[1], _e1328.mask[2], _e1328.mask[3], _e1328.mask[4], _e1328.mask[5], _e1328.mask[6], _e1328.mask[7], _e1328.mask[8], _e1328.mask[9], _e1328.mask[10], _e1328.mask[11], _e1328.mask[12], _e1328.mask[13], _e1328.mask[14], _e1328.mask[15], _e1328.mask[16], _e1328.mask[17], _e1328.mask[18], _e1328.mask[19], _e1328.mask[20], _e1328.mask[21], _e1328.mask[22], _e1328.mask[23], _e1328.mask[24], _e1328.mask[25], _e1328.mask[26], _e1328.mask[27], _e1328.mask[28], _e1328.mask[29], _e1328.mask[30], _e1328.mask[31]), _e1328.len, _e1328.group, _e1328.group_mask);
-                                                    let _e1402 = local_1.group_mask;
-                                                    if ((_e1402 & 4278190080u) == 0u) {
-                                                        let _e1406 = local_1.len;
-                                                        if (_e1406 == 0u) {
-                                                            phi_2005_ = false;
+                                                    let _e1323 = phi_1891_;
+                                                    if (_e1250 < 0f) {
+                                                        phi_1896_ = 0u;
+                                                    } else {
+                                                        phi_1896_ = 4u;
+                                                    }
+                                                    let _e1326 = phi_1896_;
+                                                    let _e1328 = ((_e1320 | _e1323) | _e1326);
+                                                    let _e1329 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1090, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1329.first[0], _e1329.first[1], _e1329.first[2], _e1329.first[3], _e1329.first[4], _e1329.first[5], _e1329.first[6], _e1329.first[7], _e1329.first[8], _e1329.first[9], _e1329.first[10], _e1329.first[11], _e1329.first[12], _e1329.first[13], _e1329.first[14], _e1329.first[15], _e1329.first[16], _e1329.first[17], _e1329.first[18], _e1329.first[19], _e1329.first[20], _e1329.first[21], _e1329.first[22], _e1329.first[23], _e1329.first[24], _e1329.first[25], _e1329.first[26], _e1329.first[27], _e1329.first[28], _e1329.first[29], _e1329.first[30], _e1329.first[31]), array<u32, 32>(_e1329.mask[0], _e1329.mask[1], _e1329.mask[2], _e1329.mask[3], _e1329.mask[4], _e1329.mask[5], _e1329.mask[6], _e1329.mask[7], _e1329.mask[8], _e1329.mask[9], _e1329.mask[10], _e1329.mask[11], _e1329.mask[12], _e1329.mask[13], _e1329.mask[14], _e1329.mask[15], _e1329.mask[16], _e1329.mask[17], _e1329.mask[18], _e1329.mask[19], _e1329.mask[20], _e1329.mask[21], _e1329.mask[22], _e1329.mask[23], _e1329.mask[24], _e1329.mask[25], _e1329.mask[26], _e1329.mask[27], _e1329.mask[28], _e1329.mask[29], _e1329.mask[30], _e1329.mask[31]), _e1329.len, _e1329.group, _e1329.group_mask);
+                                                    let _e1403 = local_1.group_mask;
+                                                    if ((_e1403 & 4278190080u) == 0u) {
+                                                        let _e1407 = local_1.len;
+                                                        if (_e1407 == 0u) {
+                                                            phi_2010_ = false;
                                                         } else {
-                                                            let _e1410 = local_1.len;
-                                                            local_1.len = (_e1410 - 1u);
-                                                            let _e1413 = local_1.len;
-                                                            if (_e1413 < 32u) {
+                                                            let _e1411 = local_1.len;
+                                                            local_1.len = (_e1411 - 1u);
+                                                            let _e1414 = local_1.len;
+                                                            if (_e1414 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1418 = local_1.first[(0u + _e1413)];
-                                                            local_1.group = _e1418;
-                                                            let _e1421 = local_1.len;
-                                                            if (_e1421 < 32u) {
+                                                            let _e1419 = local_1.first[(0u + _e1414)];
+                                                            local_1.group = _e1419;
+                                                            let _e1422 = local_1.len;
+                                                            if (_e1422 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1426 = local_1.mask[(0u + _e1421)];
-                                                            local_1.group_mask = _e1426;
-                                                            phi_2005_ = true;
+                                                            let _e1427 = local_1.mask[(0u + _e1422)];
+                                                            local_1.group_mask = _e1427;
+                                                            phi_2010_ = true;
                                                         }
-                                                        let _e1429 = phi_2005_;
-                                                        phi_2006_ = _e1429;
+                                                        let _e1430 = phi_2010_;
+                                                        phi_2011_ = _e1430;
                                                     } else {
-                                                        phi_2006_ = true;
+                                                        phi_2011_ = true;
                                                     }
-                                                    let _e1431 = phi_2006_;
-                                                    if _e1431 {
-                                                        let _e1433 = local_1.group_mask;
-                                                        let _e1439 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1433)), 32u, (_e1433 == 0u)));
-                                                        let _e1443 = local_1.group_mask;
-                                                        let _e1457 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1457 & ~((1u << bitcast<u32>((_e1439 & 31u)))));
-                                                        let _e1460 = local_1.group;
-                                                        phi_2037_ = (_e1460 + countOneBits(((_e1443 & ~((4294967295u << bitcast<u32>((((_e1439 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1432 = phi_2011_;
+                                                    if _e1432 {
+                                                        let _e1434 = local_1.group_mask;
+                                                        let _e1440 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1434)), 32u, (_e1434 == 0u)));
+                                                        let _e1444 = local_1.group_mask;
+                                                        let _e1458 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1458 & ~((1u << bitcast<u32>((_e1440 & 31u)))));
+                                                        let _e1461 = local_1.group;
+                                                        phi_2042_ = (_e1461 + countOneBits(((_e1444 & ~((4294967295u << bitcast<u32>((((_e1440 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2037_ = 4294967295u;
+                                                        phi_2042_ = 4294967295u;
                                                     }
-                                                    let _e1463 = phi_2037_;
-                                                    phi_2039_ = _e1463;
-                                                    phi_2042_ = _e940;
+                                                    let _e1464 = phi_2042_;
+                                                    phi_2044_ = _e1464;
+                                                    phi_2047_ = _e941;
                                                     loop {
-                                                        let _e1465 = phi_2039_;
-                                                        let _e1467 = phi_2042_;
-                                                        local_17 = _e1467;
-                                                        if (_e1465 != 4294967295u) {
-                                                            if (_e1465 < _e77) {
+                                                        let _e1466 = phi_2044_;
+                                                        let _e1468 = phi_2047_;
+                                                        local_17 = _e1468;
+                                                        if (_e1466 != 4294967295u) {
+                                                            if (_e1466 < _e78) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1474 = nodes.member[(0u + _e1465)].frame[3u];
-                                                            let _e1499 = (bitcast<f32>((((_e1474 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1229);
-                                                            let _e1500 = (bitcast<f32>((((_e1474 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1239);
-                                                            let _e1501 = (bitcast<f32>((((_e1474 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1249);
-                                                            let _e1504 = nodes.member[(0u + _e1465)].frame[0u];
-                                                            let _e1508 = nodes.member[(0u + _e1465)].frame[1u];
-                                                            let _e1512 = nodes.member[(0u + _e1465)].frame[2u];
-                                                            let _e1517 = ((bitcast<f32>(_e1504) - _e1020) * _e1229);
-                                                            let _e1518 = ((bitcast<f32>(_e1508) - _e1033) * _e1239);
-                                                            let _e1519 = ((bitcast<f32>(_e1512) - _e1046) * _e1249);
-                                                            let _e1527 = nodes.member[(0u + _e1465)].x;
-                                                            if (_e1229 < 0f) {
-                                                                let _e1538 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1527.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1544 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1538.unnamed.root, _e1527.w), _e1538.unnamed_1);
-                                                                let _e1550 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1544.unnamed, lt_bvh_traverse_Tree(_e1527.x, _e1544.unnamed_1.first_primitive));
-                                                                phi_2122_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1550.unnamed, lt_bvh_traverse_Tree(_e1550.unnamed_1.root, _e1527.y));
+                                                            let _e1475 = nodes.member[(0u + _e1466)].frame[3u];
+                                                            let _e1500 = (bitcast<f32>((((_e1475 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1230);
+                                                            let _e1501 = (bitcast<f32>((((_e1475 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1240);
+                                                            let _e1502 = (bitcast<f32>((((_e1475 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1250);
+                                                            let _e1505 = nodes.member[(0u + _e1466)].frame[0u];
+                                                            let _e1509 = nodes.member[(0u + _e1466)].frame[1u];
+                                                            let _e1513 = nodes.member[(0u + _e1466)].frame[2u];
+                                                            let _e1518 = ((bitcast<f32>(_e1505) - _e1021) * _e1230);
+                                                            let _e1519 = ((bitcast<f32>(_e1509) - _e1034) * _e1240);
+                                                            let _e1520 = ((bitcast<f32>(_e1513) - _e1047) * _e1250);
+                                                            let _e1528 = nodes.member[(0u + _e1466)].x;
+                                                            if (_e1230 < 0f) {
+                                                                let _e1539 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1528.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1545 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1539.unnamed.word, _e1528.w), _e1539.unnamed_1);
+                                                                let _e1551 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1545.unnamed, lt_mask_LightPlace(_e1528.x, _e1545.unnamed_1.shift));
+                                                                phi_2127_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1551.unnamed, lt_mask_LightPlace(_e1551.unnamed_1.word, _e1528.y));
                                                             } else {
-                                                                let _e1566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1527.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1566.unnamed.root, _e1527.y), _e1566.unnamed_1);
-                                                                let _e1578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1572.unnamed, lt_bvh_traverse_Tree(_e1527.z, _e1572.unnamed_1.first_primitive));
-                                                                phi_2122_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1578.unnamed, lt_bvh_traverse_Tree(_e1578.unnamed_1.root, _e1527.w));
+                                                                let _e1567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1528.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1567.unnamed.word, _e1528.y), _e1567.unnamed_1);
+                                                                let _e1579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1573.unnamed, lt_mask_LightPlace(_e1528.z, _e1573.unnamed_1.shift));
+                                                                phi_2127_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1579.unnamed, lt_mask_LightPlace(_e1579.unnamed_1.word, _e1528.w));
                                                             }
-                                                            let _e1586 = phi_2122_;
-                                                            let _e1596 = nodes.member[(0u + _e1465)].y;
-                                                            if (_e1239 < 0f) {
-                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1596.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1607.unnamed.root, _e1596.w), _e1607.unnamed_1);
-                                                                let _e1619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1613.unnamed, lt_bvh_traverse_Tree(_e1596.x, _e1613.unnamed_1.first_primitive));
-                                                                phi_2149_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1619.unnamed, lt_bvh_traverse_Tree(_e1619.unnamed_1.root, _e1596.y));
+                                                            let _e1587 = phi_2127_;
+                                                            let _e1597 = nodes.member[(0u + _e1466)].y;
+                                                            if (_e1240 < 0f) {
+                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1597.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1608.unnamed.word, _e1597.w), _e1608.unnamed_1);
+                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_mask_LightPlace(_e1597.x, _e1614.unnamed_1.shift));
+                                                                phi_2154_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1620.unnamed, lt_mask_LightPlace(_e1620.unnamed_1.word, _e1597.y));
                                                             } else {
-                                                                let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1596.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1635.unnamed.root, _e1596.y), _e1635.unnamed_1);
-                                                                let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1641.unnamed, lt_bvh_traverse_Tree(_e1596.z, _e1641.unnamed_1.first_primitive));
-                                                                phi_2149_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1647.unnamed, lt_bvh_traverse_Tree(_e1647.unnamed_1.root, _e1596.w));
+                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1597.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1636.unnamed.word, _e1597.y), _e1636.unnamed_1);
+                                                                let _e1648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1642.unnamed, lt_mask_LightPlace(_e1597.z, _e1642.unnamed_1.shift));
+                                                                phi_2154_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1648.unnamed, lt_mask_LightPlace(_e1648.unnamed_1.word, _e1597.w));
                                                             }
-                                                            let _e1655 = phi_2149_;
-                                                            let _e1665 = nodes.member[(0u + _e1465)].z;
-                                                            if (_e1249 < 0f) {
-                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1676.unnamed.root, _e1665.w), _e1676.unnamed_1);
-                                                                let _e1688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1682.unnamed, lt_bvh_traverse_Tree(_e1665.x, _e1682.unnamed_1.first_primitive));
-                                                                phi_2176_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1688.unnamed, lt_bvh_traverse_Tree(_e1688.unnamed_1.root, _e1665.y));
+                                                            let _e1656 = phi_2154_;
+                                                            let _e1666 = nodes.member[(0u + _e1466)].z;
+                                                            if (_e1250 < 0f) {
+                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1666.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1677.unnamed.word, _e1666.w), _e1677.unnamed_1);
+                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_mask_LightPlace(_e1666.x, _e1683.unnamed_1.shift));
+                                                                phi_2181_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1689.unnamed, lt_mask_LightPlace(_e1689.unnamed_1.word, _e1666.y));
                                                             } else {
-                                                                let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1704.unnamed.root, _e1665.y), _e1704.unnamed_1);
-                                                                let _e1716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1710.unnamed, lt_bvh_traverse_Tree(_e1665.z, _e1710.unnamed_1.first_primitive));
-                                                                phi_2176_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1716.unnamed, lt_bvh_traverse_Tree(_e1716.unnamed_1.root, _e1665.w));
+                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1666.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1705.unnamed.word, _e1666.y), _e1705.unnamed_1);
+                                                                let _e1717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1711.unnamed, lt_mask_LightPlace(_e1666.z, _e1711.unnamed_1.shift));
+                                                                phi_2181_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1717.unnamed, lt_mask_LightPlace(_e1717.unnamed_1.word, _e1666.w));
                                                             }
-                                                            let _e1724 = phi_2176_;
-                                                            phi_2182_ = 0u;
-                                                            phi_2185_ = 0u;
+                                                            let _e1725 = phi_2181_;
+                                                            phi_2187_ = 0u;
+                                                            phi_2190_ = 0u;
                                                             loop {
-                                                                let _e1734 = phi_2182_;
-                                                                let _e1736 = phi_2185_;
-                                                                local_6 = _e1736;
-                                                                local_7 = _e1736;
-                                                                local_8 = _e1736;
-                                                                let _e1737 = (_e1734 < 8u);
-                                                                if _e1737 {
-                                                                    let _e1739 = (_e1734 >> bitcast<u32>(2i));
-                                                                    let _e1740 = (_e1734 & 3u);
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2199_ = _e1586.unnamed.root;
+                                                                let _e1735 = phi_2187_;
+                                                                let _e1737 = phi_2190_;
+                                                                local_6 = _e1737;
+                                                                local_7 = _e1737;
+                                                                local_8 = _e1737;
+                                                                let _e1738 = (_e1735 < 8u);
+                                                                if _e1738 {
+                                                                    let _e1740 = (_e1735 >> bitcast<u32>(2i));
+                                                                    let _e1741 = (_e1735 & 3u);
+                                                                    if (_e1740 == 0u) {
+                                                                        phi_2204_ = _e1587.unnamed.word;
                                                                     } else {
-                                                                        phi_2199_ = _e1586.unnamed.first_primitive;
+                                                                        phi_2204_ = _e1587.unnamed.shift;
                                                                     }
-                                                                    let _e1743 = phi_2199_;
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2209_ = _e1655.unnamed.root;
+                                                                    let _e1744 = phi_2204_;
+                                                                    if (_e1740 == 0u) {
+                                                                        phi_2214_ = _e1656.unnamed.word;
                                                                     } else {
-                                                                        phi_2209_ = _e1655.unnamed.first_primitive;
+                                                                        phi_2214_ = _e1656.unnamed.shift;
                                                                     }
-                                                                    let _e1752 = phi_2209_;
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2219_ = _e1724.unnamed.root;
+                                                                    let _e1753 = phi_2214_;
+                                                                    if (_e1740 == 0u) {
+                                                                        phi_2224_ = _e1725.unnamed.word;
                                                                     } else {
-                                                                        phi_2219_ = _e1724.unnamed.first_primitive;
+                                                                        phi_2224_ = _e1725.unnamed.shift;
                                                                     }
-                                                                    let _e1761 = phi_2219_;
-                                                                    let _e1774 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1743 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1499) + (_e1517 - _e1277)), ((f32(((_e1752 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1500) + (_e1518 - _e1278)));
-                                                                    let _e1775 = core_intrinsics_maximum_number_nsz_f32_(_e1774, ((f32(((_e1761 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1501) + (_e1519 - _e1279)));
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2237_ = _e1586.unnamed_1.root;
+                                                                    let _e1762 = phi_2224_;
+                                                                    let _e1775 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1744 >> bitcast<u32>(((_e1741 * 8u) & 31u))) & 255u)) * _e1500) + (_e1518 - _e1278)), ((f32(((_e1753 >> bitcast<u32>(((_e1741 * 8u) & 31u))) & 255u)) * _e1501) + (_e1519 - _e1279)));
+                                                                    let _e1776 = core_intrinsics_maximum_number_nsz_f32_(_e1775, ((f32(((_e1762 >> bitcast<u32>(((_e1741 * 8u) & 31u))) & 255u)) * _e1502) + (_e1520 - _e1280)));
+                                                                    if (_e1740 == 0u) {
+                                                                        phi_2242_ = _e1587.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2237_ = _e1586.unnamed_1.first_primitive;
+                                                                        phi_2242_ = _e1587.unnamed_1.shift;
                                                                     }
-                                                                    let _e1778 = phi_2237_;
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2247_ = _e1655.unnamed_1.root;
+                                                                    let _e1779 = phi_2242_;
+                                                                    if (_e1740 == 0u) {
+                                                                        phi_2252_ = _e1656.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2247_ = _e1655.unnamed_1.first_primitive;
+                                                                        phi_2252_ = _e1656.unnamed_1.shift;
                                                                     }
-                                                                    let _e1787 = phi_2247_;
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2257_ = _e1724.unnamed_1.root;
+                                                                    let _e1788 = phi_2252_;
+                                                                    if (_e1740 == 0u) {
+                                                                        phi_2262_ = _e1725.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2257_ = _e1724.unnamed_1.first_primitive;
+                                                                        phi_2262_ = _e1725.unnamed_1.shift;
                                                                     }
-                                                                    let _e1796 = phi_2257_;
-                                                                    let _e1809 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1778 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1499) + (_e1517 + _e1277)), ((f32(((_e1787 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1500) + (_e1518 + _e1278)));
-                                                                    let _e1810 = core_intrinsics_minimum_number_nsz_f32_(_e1809, ((f32(((_e1796 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1501) + (_e1519 + _e1279)));
-                                                                    if (_e1775 <= _e1810) {
-                                                                        if (_e1775 <= _e146) {
-                                                                            if (_e1810 >= 0f) {
-                                                                                if (_e1739 == 0u) {
-                                                                                    let _e1817 = nodes.member[(0u + _e1465)].links[2u];
-                                                                                    phi_2293_ = _e1817;
+                                                                    let _e1797 = phi_2262_;
+                                                                    let _e1810 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1779 >> bitcast<u32>(((_e1741 * 8u) & 31u))) & 255u)) * _e1500) + (_e1518 + _e1278)), ((f32(((_e1788 >> bitcast<u32>(((_e1741 * 8u) & 31u))) & 255u)) * _e1501) + (_e1519 + _e1279)));
+                                                                    let _e1811 = core_intrinsics_minimum_number_nsz_f32_(_e1810, ((f32(((_e1797 >> bitcast<u32>(((_e1741 * 8u) & 31u))) & 255u)) * _e1502) + (_e1520 + _e1280)));
+                                                                    if (_e1776 <= _e1811) {
+                                                                        if (_e1776 <= _e147) {
+                                                                            if (_e1811 >= 0f) {
+                                                                                if (_e1740 == 0u) {
+                                                                                    let _e1818 = nodes.member[(0u + _e1466)].links[2u];
+                                                                                    phi_2298_ = _e1818;
                                                                                 } else {
-                                                                                    let _e1820 = nodes.member[(0u + _e1465)].links[3u];
-                                                                                    phi_2293_ = _e1820;
+                                                                                    let _e1821 = nodes.member[(0u + _e1466)].links[3u];
+                                                                                    phi_2298_ = _e1821;
                                                                                 }
-                                                                                let _e1822 = phi_2293_;
-                                                                                let _e1827 = ((_e1822 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u);
-                                                                                let _e1828 = (_e1827 & 31u);
-                                                                                if (_e1828 >= 24u) {
-                                                                                    phi_2306_ = (24u + ((_e1828 - 24u) ^ _e1327));
+                                                                                let _e1823 = phi_2298_;
+                                                                                let _e1828 = ((_e1823 >> bitcast<u32>(((_e1741 * 8u) & 31u))) & 255u);
+                                                                                let _e1829 = (_e1828 & 31u);
+                                                                                if (_e1829 >= 24u) {
+                                                                                    phi_2311_ = (24u + ((_e1829 - 24u) ^ _e1328));
                                                                                 } else {
-                                                                                    phi_2306_ = _e1828;
+                                                                                    phi_2311_ = _e1829;
                                                                                 }
-                                                                                let _e1834 = phi_2306_;
-                                                                                phi_2311_ = (_e1736 | ((_e1827 >> bitcast<u32>(5i)) << bitcast<u32>((_e1834 & 31u))));
+                                                                                let _e1835 = phi_2311_;
+                                                                                phi_2316_ = (_e1737 | ((_e1828 >> bitcast<u32>(5i)) << bitcast<u32>((_e1835 & 31u))));
                                                                             } else {
-                                                                                phi_2311_ = _e1736;
+                                                                                phi_2316_ = _e1737;
                                                                             }
-                                                                            let _e1842 = phi_2311_;
-                                                                            phi_2312_ = _e1842;
+                                                                            let _e1843 = phi_2316_;
+                                                                            phi_2317_ = _e1843;
                                                                         } else {
-                                                                            phi_2312_ = _e1736;
+                                                                            phi_2317_ = _e1737;
                                                                         }
-                                                                        let _e1844 = phi_2312_;
-                                                                        phi_2313_ = _e1844;
+                                                                        let _e1845 = phi_2317_;
+                                                                        phi_2318_ = _e1845;
                                                                     } else {
-                                                                        phi_2313_ = _e1736;
+                                                                        phi_2318_ = _e1737;
                                                                     }
-                                                                    let _e1846 = phi_2313_;
-                                                                    phi_2183_ = (_e1734 + 1u);
-                                                                    phi_2186_ = _e1846;
+                                                                    let _e1847 = phi_2318_;
+                                                                    phi_2188_ = (_e1735 + 1u);
+                                                                    phi_2191_ = _e1847;
                                                                 } else {
-                                                                    phi_2183_ = u32();
-                                                                    phi_2186_ = u32();
+                                                                    phi_2188_ = u32();
+                                                                    phi_2191_ = u32();
                                                                 }
-                                                                let _e1849 = phi_2183_;
-                                                                let _e1851 = phi_2186_;
+                                                                let _e1850 = phi_2188_;
+                                                                let _e1852 = phi_2191_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2182_ = _e1849;
-                                                                    phi_2185_ = _e1851;
-                                                                    break if !(_e1737);
+                                                                    phi_2187_ = _e1850;
+                                                                    phi_2190_ = _e1852;
+                                                                    break if !(_e1738);
                                                                 }
                                                             }
-                                                            let _e1855 = nodes.member[(0u + _e1465)].links[0u];
-                                                            let _e1859 = nodes.member[(0u + _e1465)].frame[3u];
-                                                            let _e1863 = local_6;
-                                                            if ((_e1863 & 4278190080u) == 0u) {
+                                                            let _e1856 = nodes.member[(0u + _e1466)].links[0u];
+                                                            let _e1860 = nodes.member[(0u + _e1466)].frame[3u];
+                                                            let _e1864 = local_6;
+                                                            if ((_e1864 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1867 = local_1.group_mask;
-                                                                if ((_e1867 & 4278190080u) == 0u) {
+                                                                let _e1868 = local_1.group_mask;
+                                                                if ((_e1868 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1871 = local_1.len;
-                                                                    if (_e1871 < 32u) {
-                                                                        let _e1874 = local_1.group;
-                                                                        let _e1876 = local_1.len;
-                                                                        if (_e1876 < 32u) {
+                                                                    let _e1872 = local_1.len;
+                                                                    if (_e1872 < 32u) {
+                                                                        let _e1875 = local_1.group;
+                                                                        let _e1877 = local_1.len;
+                                                                        if (_e1877 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1876)] = _e1874;
-                                                                        let _e1882 = local_1.group_mask;
-                                                                        let _e1884 = local_1.len;
-                                                                        if (_e1884 < 32u) {
+                                                                        local_1.first[(0u + _e1877)] = _e1875;
+                                                                        let _e1883 = local_1.group_mask;
+                                                                        let _e1885 = local_1.len;
+                                                                        if (_e1885 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1884)] = _e1882;
-                                                                        let _e1891 = local_1.len;
-                                                                        local_1.len = (_e1891 + 1u);
+                                                                        local_1.mask[(0u + _e1885)] = _e1883;
+                                                                        let _e1892 = local_1.len;
+                                                                        local_1.len = (_e1892 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1089 + _e1855);
-                                                                let _e1895 = local_7;
-                                                                local_1.group_mask = ((_e1895 & 4278190080u) | (_e1859 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1090 + _e1856);
+                                                                let _e1896 = local_7;
+                                                                local_1.group_mask = ((_e1896 & 4278190080u) | (_e1860 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1900 = local_8;
-                                                            phi_2371_ = (_e1900 & 16777215u);
-                                                            phi_2374_ = _e1467;
+                                                            let _e1901 = local_8;
+                                                            phi_2376_ = (_e1901 & 16777215u);
+                                                            phi_2379_ = _e1468;
                                                             loop {
-                                                                let _e1903 = phi_2371_;
-                                                                let _e1905 = phi_2374_;
-                                                                local_13 = _e1905;
-                                                                let _e1906 = (_e1903 == 0u);
-                                                                local_9 = _e1906;
-                                                                local_15 = _e1906;
-                                                                if _e1906 {
-                                                                    phi_2372_ = u32();
-                                                                    phi_2375_ = bool();
-                                                                    phi_3178_ = bool();
-                                                                    phi_3179_ = false;
+                                                                let _e1904 = phi_2376_;
+                                                                let _e1906 = phi_2379_;
+                                                                local_13 = _e1906;
+                                                                let _e1907 = (_e1904 == 0u);
+                                                                local_9 = _e1907;
+                                                                local_15 = _e1907;
+                                                                if _e1907 {
+                                                                    phi_2377_ = u32();
+                                                                    phi_2380_ = bool();
+                                                                    phi_3183_ = bool();
+                                                                    phi_3184_ = false;
                                                                 } else {
-                                                                    let _e1909 = nodes.member[(0u + _e1465)].links[1u];
-                                                                    let _e1914 = ((_e1091 + _e1909) + select(firstTrailingBit(_e1903), 32u, (_e1903 == 0u)));
-                                                                    if (_e1914 < _e80) {
+                                                                    let _e1910 = nodes.member[(0u + _e1466)].links[1u];
+                                                                    let _e1915 = ((_e1092 + _e1910) + select(firstTrailingBit(_e1904), 32u, (_e1904 == 0u)));
+                                                                    if (_e1915 < _e81) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1921 = triangles.member[(0u + _e1914)].v0_;
-                                                                    let _e1923 = (_e1921.x - _e1020);
-                                                                    let _e1925 = (_e1921.y - _e1033);
-                                                                    let _e1927 = (_e1921.z - _e1046);
-                                                                    if (_e1300 == 0u) {
-                                                                        phi_2419_ = vec3<f32>(_e1925, _e1927, _e1923);
+                                                                    let _e1922 = triangles.member[(0u + _e1915)].v0_;
+                                                                    let _e1924 = (_e1922.x - _e1021);
+                                                                    let _e1926 = (_e1922.y - _e1034);
+                                                                    let _e1928 = (_e1922.z - _e1047);
+                                                                    if (_e1301 == 0u) {
+                                                                        phi_2424_ = vec3<f32>(_e1926, _e1928, _e1924);
                                                                     } else {
-                                                                        if (_e1300 == 1u) {
-                                                                            phi_2418_ = vec3<f32>(_e1927, _e1923, _e1925);
+                                                                        if (_e1301 == 1u) {
+                                                                            phi_2423_ = vec3<f32>(_e1928, _e1924, _e1926);
                                                                         } else {
-                                                                            phi_2418_ = (_e1921 - vec3<f32>(_e1020, _e1033, _e1046));
+                                                                            phi_2423_ = (_e1922 - vec3<f32>(_e1021, _e1034, _e1047));
                                                                         }
-                                                                        let _e1935 = phi_2418_;
-                                                                        phi_2419_ = _e1935;
+                                                                        let _e1936 = phi_2423_;
+                                                                        phi_2424_ = _e1936;
                                                                     }
-                                                                    let _e1937 = phi_2419_;
-                                                                    let _e1941 = (_e1937.x - (_e1311 * _e1937.z));
-                                                                    let _e1945 = (_e1937.y - (_e1314 * _e1937.z));
-                                                                    let _e1947 = triangles.member[(0u + _e1914)].v1_;
-                                                                    let _e1949 = (_e1947.x - _e1020);
-                                                                    let _e1951 = (_e1947.y - _e1033);
-                                                                    let _e1953 = (_e1947.z - _e1046);
-                                                                    if (_e1300 == 0u) {
-                                                                        phi_2449_ = vec3<f32>(_e1951, _e1953, _e1949);
+                                                                    let _e1938 = phi_2424_;
+                                                                    let _e1942 = (_e1938.x - (_e1312 * _e1938.z));
+                                                                    let _e1946 = (_e1938.y - (_e1315 * _e1938.z));
+                                                                    let _e1948 = triangles.member[(0u + _e1915)].v1_;
+                                                                    let _e1950 = (_e1948.x - _e1021);
+                                                                    let _e1952 = (_e1948.y - _e1034);
+                                                                    let _e1954 = (_e1948.z - _e1047);
+                                                                    if (_e1301 == 0u) {
+                                                                        phi_2454_ = vec3<f32>(_e1952, _e1954, _e1950);
                                                                     } else {
-                                                                        if (_e1300 == 1u) {
-                                                                            phi_2448_ = vec3<f32>(_e1953, _e1949, _e1951);
+                                                                        if (_e1301 == 1u) {
+                                                                            phi_2453_ = vec3<f32>(_e1954, _e1950, _e1952);
                                                                         } else {
-                                                                            phi_2448_ = (_e1947 - vec3<f32>(_e1020, _e1033, _e1046));
+                                                                            phi_2453_ = (_e1948 - vec3<f32>(_e1021, _e1034, _e1047));
                                                                         }
-                                                                        let _e1961 = phi_2448_;
-                                                                        phi_2449_ = _e1961;
+                                                                        let _e1962 = phi_2453_;
+                                                                        phi_2454_ = _e1962;
                                                                     }
-                                                                    let _e1963 = phi_2449_;
-                                                                    let _e1967 = (_e1963.x - (_e1311 * _e1963.z));
-                                                                    let _e1971 = (_e1963.y - (_e1314 * _e1963.z));
-                                                                    let _e1973 = triangles.member[(0u + _e1914)].v2_;
-                                                                    let _e1975 = (_e1973.x - _e1020);
-                                                                    let _e1977 = (_e1973.y - _e1033);
-                                                                    let _e1979 = (_e1973.z - _e1046);
-                                                                    if (_e1300 == 0u) {
-                                                                        phi_2479_ = vec3<f32>(_e1977, _e1979, _e1975);
+                                                                    let _e1964 = phi_2454_;
+                                                                    let _e1968 = (_e1964.x - (_e1312 * _e1964.z));
+                                                                    let _e1972 = (_e1964.y - (_e1315 * _e1964.z));
+                                                                    let _e1974 = triangles.member[(0u + _e1915)].v2_;
+                                                                    let _e1976 = (_e1974.x - _e1021);
+                                                                    let _e1978 = (_e1974.y - _e1034);
+                                                                    let _e1980 = (_e1974.z - _e1047);
+                                                                    if (_e1301 == 0u) {
+                                                                        phi_2484_ = vec3<f32>(_e1978, _e1980, _e1976);
                                                                     } else {
-                                                                        if (_e1300 == 1u) {
-                                                                            phi_2478_ = vec3<f32>(_e1979, _e1975, _e1977);
+                                                                        if (_e1301 == 1u) {
+                                                                            phi_2483_ = vec3<f32>(_e1980, _e1976, _e1978);
                                                                         } else {
-                                                                            phi_2478_ = (_e1973 - vec3<f32>(_e1020, _e1033, _e1046));
+                                                                            phi_2483_ = (_e1974 - vec3<f32>(_e1021, _e1034, _e1047));
                                                                         }
-                                                                        let _e1987 = phi_2478_;
-                                                                        phi_2479_ = _e1987;
+                                                                        let _e1988 = phi_2483_;
+                                                                        phi_2484_ = _e1988;
                                                                     }
-                                                                    let _e1989 = phi_2479_;
-                                                                    let _e1993 = (_e1989.x - (_e1311 * _e1989.z));
-                                                                    let _e1997 = (_e1989.y - (_e1314 * _e1989.z));
-                                                                    if (_e1967 < _e1993) {
-                                                                        phi_2498_ = true;
+                                                                    let _e1990 = phi_2484_;
+                                                                    let _e1994 = (_e1990.x - (_e1312 * _e1990.z));
+                                                                    let _e1998 = (_e1990.y - (_e1315 * _e1990.z));
+                                                                    if (_e1968 < _e1994) {
+                                                                        phi_2503_ = true;
                                                                     } else {
-                                                                        if (_e1967 == _e1993) {
-                                                                            phi_2497_ = (_e1971 < _e1997);
+                                                                        if (_e1968 == _e1994) {
+                                                                            phi_2502_ = (_e1972 < _e1998);
                                                                         } else {
-                                                                            phi_2497_ = false;
+                                                                            phi_2502_ = false;
                                                                         }
-                                                                        let _e2002 = phi_2497_;
-                                                                        phi_2498_ = _e2002;
+                                                                        let _e2003 = phi_2502_;
+                                                                        phi_2503_ = _e2003;
                                                                     }
-                                                                    let _e2004 = phi_2498_;
-                                                                    if _e2004 {
-                                                                        phi_2502_ = _e1997;
-                                                                        phi_2503_ = _e1993;
-                                                                        phi_2504_ = _e1971;
-                                                                        phi_2505_ = _e1967;
+                                                                    let _e2005 = phi_2503_;
+                                                                    if _e2005 {
+                                                                        phi_2507_ = _e1998;
+                                                                        phi_2508_ = _e1994;
+                                                                        phi_2509_ = _e1972;
+                                                                        phi_2510_ = _e1968;
                                                                     } else {
-                                                                        phi_2502_ = _e1971;
-                                                                        phi_2503_ = _e1967;
-                                                                        phi_2504_ = _e1997;
-                                                                        phi_2505_ = _e1993;
+                                                                        phi_2507_ = _e1972;
+                                                                        phi_2508_ = _e1968;
+                                                                        phi_2509_ = _e1998;
+                                                                        phi_2510_ = _e1994;
                                                                     }
-                                                                    let _e2006 = phi_2502_;
-                                                                    let _e2008 = phi_2503_;
-                                                                    let _e2010 = phi_2504_;
-                                                                    let _e2012 = phi_2505_;
-                                                                    let _e2015 = ((_e2012 * _e2006) - (_e2010 * _e2008));
-                                                                    if _e2004 {
-                                                                        phi_2513_ = -(_e2015);
+                                                                    let _e2007 = phi_2507_;
+                                                                    let _e2009 = phi_2508_;
+                                                                    let _e2011 = phi_2509_;
+                                                                    let _e2013 = phi_2510_;
+                                                                    let _e2016 = ((_e2013 * _e2007) - (_e2011 * _e2009));
+                                                                    if _e2005 {
+                                                                        phi_2518_ = -(_e2016);
                                                                     } else {
-                                                                        phi_2513_ = _e2015;
+                                                                        phi_2518_ = _e2016;
                                                                     }
-                                                                    let _e2018 = phi_2513_;
-                                                                    if (_e1993 < _e1941) {
-                                                                        phi_2524_ = true;
+                                                                    let _e2019 = phi_2518_;
+                                                                    if (_e1994 < _e1942) {
+                                                                        phi_2529_ = true;
                                                                     } else {
-                                                                        if (_e1993 == _e1941) {
-                                                                            phi_2523_ = (_e1997 < _e1945);
+                                                                        if (_e1994 == _e1942) {
+                                                                            phi_2528_ = (_e1998 < _e1946);
                                                                         } else {
-                                                                            phi_2523_ = false;
+                                                                            phi_2528_ = false;
                                                                         }
-                                                                        let _e2023 = phi_2523_;
-                                                                        phi_2524_ = _e2023;
+                                                                        let _e2024 = phi_2528_;
+                                                                        phi_2529_ = _e2024;
                                                                     }
-                                                                    let _e2025 = phi_2524_;
-                                                                    if _e2025 {
-                                                                        phi_2528_ = _e1945;
-                                                                        phi_2529_ = _e1941;
-                                                                        phi_2530_ = _e1997;
-                                                                        phi_2531_ = _e1993;
+                                                                    let _e2026 = phi_2529_;
+                                                                    if _e2026 {
+                                                                        phi_2533_ = _e1946;
+                                                                        phi_2534_ = _e1942;
+                                                                        phi_2535_ = _e1998;
+                                                                        phi_2536_ = _e1994;
                                                                     } else {
-                                                                        phi_2528_ = _e1997;
-                                                                        phi_2529_ = _e1993;
-                                                                        phi_2530_ = _e1945;
-                                                                        phi_2531_ = _e1941;
+                                                                        phi_2533_ = _e1998;
+                                                                        phi_2534_ = _e1994;
+                                                                        phi_2535_ = _e1946;
+                                                                        phi_2536_ = _e1942;
                                                                     }
-                                                                    let _e2027 = phi_2528_;
-                                                                    let _e2029 = phi_2529_;
-                                                                    let _e2031 = phi_2530_;
-                                                                    let _e2033 = phi_2531_;
-                                                                    let _e2036 = ((_e2033 * _e2027) - (_e2031 * _e2029));
-                                                                    if _e2025 {
-                                                                        phi_2539_ = -(_e2036);
+                                                                    let _e2028 = phi_2533_;
+                                                                    let _e2030 = phi_2534_;
+                                                                    let _e2032 = phi_2535_;
+                                                                    let _e2034 = phi_2536_;
+                                                                    let _e2037 = ((_e2034 * _e2028) - (_e2032 * _e2030));
+                                                                    if _e2026 {
+                                                                        phi_2544_ = -(_e2037);
                                                                     } else {
-                                                                        phi_2539_ = _e2036;
+                                                                        phi_2544_ = _e2037;
                                                                     }
-                                                                    let _e2039 = phi_2539_;
-                                                                    if (_e1941 < _e1967) {
-                                                                        phi_2550_ = true;
+                                                                    let _e2040 = phi_2544_;
+                                                                    if (_e1942 < _e1968) {
+                                                                        phi_2555_ = true;
                                                                     } else {
-                                                                        if (_e1941 == _e1967) {
-                                                                            phi_2549_ = (_e1945 < _e1971);
+                                                                        if (_e1942 == _e1968) {
+                                                                            phi_2554_ = (_e1946 < _e1972);
                                                                         } else {
-                                                                            phi_2549_ = false;
+                                                                            phi_2554_ = false;
                                                                         }
-                                                                        let _e2044 = phi_2549_;
-                                                                        phi_2550_ = _e2044;
+                                                                        let _e2045 = phi_2554_;
+                                                                        phi_2555_ = _e2045;
                                                                     }
-                                                                    let _e2046 = phi_2550_;
-                                                                    if _e2046 {
-                                                                        phi_2554_ = _e1971;
-                                                                        phi_2555_ = _e1967;
-                                                                        phi_2556_ = _e1945;
-                                                                        phi_2557_ = _e1941;
+                                                                    let _e2047 = phi_2555_;
+                                                                    if _e2047 {
+                                                                        phi_2559_ = _e1972;
+                                                                        phi_2560_ = _e1968;
+                                                                        phi_2561_ = _e1946;
+                                                                        phi_2562_ = _e1942;
                                                                     } else {
-                                                                        phi_2554_ = _e1945;
-                                                                        phi_2555_ = _e1941;
-                                                                        phi_2556_ = _e1971;
-                                                                        phi_2557_ = _e1967;
+                                                                        phi_2559_ = _e1946;
+                                                                        phi_2560_ = _e1942;
+                                                                        phi_2561_ = _e1972;
+                                                                        phi_2562_ = _e1968;
                                                                     }
-                                                                    let _e2048 = phi_2554_;
-                                                                    let _e2050 = phi_2555_;
-                                                                    let _e2052 = phi_2556_;
-                                                                    let _e2054 = phi_2557_;
-                                                                    let _e2057 = ((_e2054 * _e2048) - (_e2052 * _e2050));
-                                                                    if _e2046 {
-                                                                        phi_2565_ = -(_e2057);
+                                                                    let _e2049 = phi_2559_;
+                                                                    let _e2051 = phi_2560_;
+                                                                    let _e2053 = phi_2561_;
+                                                                    let _e2055 = phi_2562_;
+                                                                    let _e2058 = ((_e2055 * _e2049) - (_e2053 * _e2051));
+                                                                    if _e2047 {
+                                                                        phi_2570_ = -(_e2058);
                                                                     } else {
-                                                                        phi_2565_ = _e2057;
+                                                                        phi_2570_ = _e2058;
                                                                     }
-                                                                    let _e2060 = phi_2565_;
-                                                                    if (_e2018 >= 0f) {
-                                                                        if (_e2039 >= 0f) {
-                                                                            if (_e2060 >= 0f) {
-                                                                                phi_2580_ = ((_e2018 + _e2039) + _e2060);
-                                                                                phi_2581_ = false;
+                                                                    let _e2061 = phi_2570_;
+                                                                    if (_e2019 >= 0f) {
+                                                                        if (_e2040 >= 0f) {
+                                                                            if (_e2061 >= 0f) {
+                                                                                phi_2585_ = ((_e2019 + _e2040) + _e2061);
+                                                                                phi_2586_ = false;
                                                                             } else {
-                                                                                phi_2580_ = f32();
-                                                                                phi_2581_ = true;
+                                                                                phi_2585_ = f32();
+                                                                                phi_2586_ = true;
                                                                             }
-                                                                            let _e2067 = phi_2580_;
-                                                                            let _e2069 = phi_2581_;
-                                                                            phi_2582_ = _e2067;
-                                                                            phi_2583_ = _e2069;
+                                                                            let _e2068 = phi_2585_;
+                                                                            let _e2070 = phi_2586_;
+                                                                            phi_2587_ = _e2068;
+                                                                            phi_2588_ = _e2070;
                                                                         } else {
-                                                                            phi_2582_ = f32();
-                                                                            phi_2583_ = true;
+                                                                            phi_2587_ = f32();
+                                                                            phi_2588_ = true;
                                                                         }
-                                                                        let _e2071 = phi_2582_;
-                                                                        let _e2073 = phi_2583_;
-                                                                        phi_2584_ = _e2071;
-                                                                        phi_2585_ = _e2073;
+                                                                        let _e2072 = phi_2587_;
+                                                                        let _e2074 = phi_2588_;
+                                                                        phi_2589_ = _e2072;
+                                                                        phi_2590_ = _e2074;
                                                                     } else {
-                                                                        phi_2584_ = f32();
-                                                                        phi_2585_ = true;
+                                                                        phi_2589_ = f32();
+                                                                        phi_2590_ = true;
                                                                     }
-                                                                    let _e2075 = phi_2584_;
-                                                                    let _e2077 = phi_2585_;
-                                                                    if _e2077 {
-                                                                        if (_e2018 <= 0f) {
-                                                                            if (_e2039 <= 0f) {
-                                                                                let _e2080 = (_e2060 <= 0f);
-                                                                                if _e2080 {
+                                                                    let _e2076 = phi_2589_;
+                                                                    let _e2078 = phi_2590_;
+                                                                    if _e2078 {
+                                                                        if (_e2019 <= 0f) {
+                                                                            if (_e2040 <= 0f) {
+                                                                                let _e2081 = (_e2061 <= 0f);
+                                                                                if _e2081 {
                                                                                 }
-                                                                                phi_2603_ = ((_e2018 + _e2039) + _e2060);
-                                                                                phi_2604_ = false;
-                                                                                phi_2605_ = _e2080;
+                                                                                phi_2608_ = ((_e2019 + _e2040) + _e2061);
+                                                                                phi_2609_ = false;
+                                                                                phi_2610_ = _e2081;
                                                                             } else {
-                                                                                phi_2603_ = f32();
-                                                                                phi_2604_ = true;
-                                                                                phi_2605_ = false;
+                                                                                phi_2608_ = f32();
+                                                                                phi_2609_ = true;
+                                                                                phi_2610_ = false;
                                                                             }
-                                                                            let _e2084 = phi_2603_;
-                                                                            let _e2086 = phi_2604_;
-                                                                            let _e2088 = phi_2605_;
-                                                                            phi_2606_ = _e2084;
-                                                                            phi_2607_ = _e2086;
-                                                                            phi_2608_ = _e2088;
+                                                                            let _e2085 = phi_2608_;
+                                                                            let _e2087 = phi_2609_;
+                                                                            let _e2089 = phi_2610_;
+                                                                            phi_2611_ = _e2085;
+                                                                            phi_2612_ = _e2087;
+                                                                            phi_2613_ = _e2089;
                                                                         } else {
-                                                                            phi_2606_ = f32();
-                                                                            phi_2607_ = true;
-                                                                            phi_2608_ = false;
+                                                                            phi_2611_ = f32();
+                                                                            phi_2612_ = true;
+                                                                            phi_2613_ = false;
                                                                         }
-                                                                        let _e2090 = phi_2606_;
-                                                                        let _e2092 = phi_2607_;
-                                                                        let _e2094 = phi_2608_;
-                                                                        if _e2092 {
-                                                                            phi_2612_ = false;
+                                                                        let _e2091 = phi_2611_;
+                                                                        let _e2093 = phi_2612_;
+                                                                        let _e2095 = phi_2613_;
+                                                                        if _e2093 {
+                                                                            phi_2617_ = false;
                                                                         } else {
-                                                                            phi_2612_ = _e2094;
+                                                                            phi_2617_ = _e2095;
                                                                         }
-                                                                        let _e2096 = phi_2612_;
-                                                                        phi_2613_ = _e2090;
-                                                                        phi_2614_ = _e2096;
+                                                                        let _e2097 = phi_2617_;
+                                                                        phi_2618_ = _e2091;
+                                                                        phi_2619_ = _e2097;
                                                                     } else {
-                                                                        phi_2613_ = _e2075;
-                                                                        phi_2614_ = true;
+                                                                        phi_2618_ = _e2076;
+                                                                        phi_2619_ = true;
                                                                     }
-                                                                    let _e2098 = phi_2613_;
-                                                                    let _e2100 = phi_2614_;
-                                                                    if _e2100 {
-                                                                        let _e2101 = (_e2098 == 0f);
-                                                                        if _e2101 {
-                                                                            phi_2930_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2931_ = false;
+                                                                    let _e2099 = phi_2618_;
+                                                                    let _e2101 = phi_2619_;
+                                                                    if _e2101 {
+                                                                        let _e2102 = (_e2099 == 0f);
+                                                                        if _e2102 {
+                                                                            phi_2935_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2936_ = false;
                                                                         } else {
-                                                                            let _e2103 = triangles.member[(0u + _e1914)].v0_;
-                                                                            let _e2105 = (_e2103.x - _e1020);
-                                                                            let _e2107 = (_e2103.y - _e1033);
-                                                                            let _e2109 = (_e2103.z - _e1046);
-                                                                            if (_e1300 == 0u) {
-                                                                                phi_2643_ = vec3<f32>(_e2107, _e2109, _e2105);
+                                                                            let _e2104 = triangles.member[(0u + _e1915)].v0_;
+                                                                            let _e2106 = (_e2104.x - _e1021);
+                                                                            let _e2108 = (_e2104.y - _e1034);
+                                                                            let _e2110 = (_e2104.z - _e1047);
+                                                                            if (_e1301 == 0u) {
+                                                                                phi_2648_ = vec3<f32>(_e2108, _e2110, _e2106);
                                                                             } else {
-                                                                                if (_e1300 == 1u) {
-                                                                                    phi_2642_ = vec3<f32>(_e2109, _e2105, _e2107);
+                                                                                if (_e1301 == 1u) {
+                                                                                    phi_2647_ = vec3<f32>(_e2110, _e2106, _e2108);
                                                                                 } else {
-                                                                                    phi_2642_ = (_e2103 - vec3<f32>(_e1020, _e1033, _e1046));
+                                                                                    phi_2647_ = (_e2104 - vec3<f32>(_e1021, _e1034, _e1047));
                                                                                 }
-                                                                                let _e2117 = phi_2642_;
-                                                                                phi_2643_ = _e2117;
+                                                                                let _e2118 = phi_2647_;
+                                                                                phi_2648_ = _e2118;
                                                                             }
-                                                                            let _e2119 = phi_2643_;
-                                                                            let _e2121 = triangles.member[(0u + _e1914)].v1_;
-                                                                            let _e2123 = triangles.member[(0u + _e1914)].v0_;
-                                                                            let _e2126 = (_e2121.x - _e2123.x);
-                                                                            let _e2129 = (_e2121.y - _e2123.y);
-                                                                            let _e2132 = (_e2121.z - _e2123.z);
-                                                                            if (_e1300 == 0u) {
-                                                                                phi_2669_ = vec3<f32>(_e2129, _e2132, _e2126);
+                                                                            let _e2120 = phi_2648_;
+                                                                            let _e2122 = triangles.member[(0u + _e1915)].v1_;
+                                                                            let _e2124 = triangles.member[(0u + _e1915)].v0_;
+                                                                            let _e2127 = (_e2122.x - _e2124.x);
+                                                                            let _e2130 = (_e2122.y - _e2124.y);
+                                                                            let _e2133 = (_e2122.z - _e2124.z);
+                                                                            if (_e1301 == 0u) {
+                                                                                phi_2674_ = vec3<f32>(_e2130, _e2133, _e2127);
                                                                             } else {
-                                                                                if (_e1300 == 1u) {
-                                                                                    phi_2668_ = vec3<f32>(_e2132, _e2126, _e2129);
+                                                                                if (_e1301 == 1u) {
+                                                                                    phi_2673_ = vec3<f32>(_e2133, _e2127, _e2130);
                                                                                 } else {
-                                                                                    phi_2668_ = (_e2121 - _e2123);
+                                                                                    phi_2673_ = (_e2122 - _e2124);
                                                                                 }
-                                                                                let _e2139 = phi_2668_;
-                                                                                phi_2669_ = _e2139;
+                                                                                let _e2140 = phi_2673_;
+                                                                                phi_2674_ = _e2140;
                                                                             }
-                                                                            let _e2141 = phi_2669_;
-                                                                            let _e2143 = triangles.member[(0u + _e1914)].v2_;
-                                                                            let _e2145 = triangles.member[(0u + _e1914)].v0_;
-                                                                            let _e2148 = (_e2143.x - _e2145.x);
-                                                                            let _e2151 = (_e2143.y - _e2145.y);
-                                                                            let _e2154 = (_e2143.z - _e2145.z);
-                                                                            if (_e1300 == 0u) {
-                                                                                phi_2695_ = vec3<f32>(_e2151, _e2154, _e2148);
+                                                                            let _e2142 = phi_2674_;
+                                                                            let _e2144 = triangles.member[(0u + _e1915)].v2_;
+                                                                            let _e2146 = triangles.member[(0u + _e1915)].v0_;
+                                                                            let _e2149 = (_e2144.x - _e2146.x);
+                                                                            let _e2152 = (_e2144.y - _e2146.y);
+                                                                            let _e2155 = (_e2144.z - _e2146.z);
+                                                                            if (_e1301 == 0u) {
+                                                                                phi_2700_ = vec3<f32>(_e2152, _e2155, _e2149);
                                                                             } else {
-                                                                                if (_e1300 == 1u) {
-                                                                                    phi_2694_ = vec3<f32>(_e2154, _e2148, _e2151);
+                                                                                if (_e1301 == 1u) {
+                                                                                    phi_2699_ = vec3<f32>(_e2155, _e2149, _e2152);
                                                                                 } else {
-                                                                                    phi_2694_ = (_e2143 - _e2145);
+                                                                                    phi_2699_ = (_e2144 - _e2146);
                                                                                 }
-                                                                                let _e2161 = phi_2694_;
-                                                                                phi_2695_ = _e2161;
+                                                                                let _e2162 = phi_2699_;
+                                                                                phi_2700_ = _e2162;
                                                                             }
-                                                                            let _e2163 = phi_2695_;
-                                                                            let _e2170 = ((_e2141.y * _e2163.z) - (_e2141.z * _e2163.y));
-                                                                            let _e2177 = ((_e2141.z * _e2163.x) - (_e2141.x * _e2163.z));
-                                                                            let _e2184 = ((_e2141.x * _e2163.y) - (_e2141.y * _e2163.x));
-                                                                            let _e2198 = (((1f / _e1308.z) * (((_e2170 * _e2119.x) + (_e2177 * _e2119.y)) + (_e2184 * _e2119.z))) / (((_e2170 * _e1311) + (_e2177 * _e1314)) + _e2184));
-                                                                            if (_e2198 > 0f) {
-                                                                                if (_e2198 < _e146) {
-                                                                                    let _e2202 = triangles.member[(0u + _e1914)].v0_;
-                                                                                    let _e2204 = triangles.member[(0u + _e1914)].v1_;
-                                                                                    if (_e2202.x < _e2204.x) {
-                                                                                        phi_2751_ = _e2202.x;
+                                                                            let _e2164 = phi_2700_;
+                                                                            let _e2171 = ((_e2142.y * _e2164.z) - (_e2142.z * _e2164.y));
+                                                                            let _e2178 = ((_e2142.z * _e2164.x) - (_e2142.x * _e2164.z));
+                                                                            let _e2185 = ((_e2142.x * _e2164.y) - (_e2142.y * _e2164.x));
+                                                                            let _e2199 = (((1f / _e1309.z) * (((_e2171 * _e2120.x) + (_e2178 * _e2120.y)) + (_e2185 * _e2120.z))) / (((_e2171 * _e1312) + (_e2178 * _e1315)) + _e2185));
+                                                                            if (_e2199 > 0f) {
+                                                                                if (_e2199 < _e147) {
+                                                                                    let _e2203 = triangles.member[(0u + _e1915)].v0_;
+                                                                                    let _e2205 = triangles.member[(0u + _e1915)].v1_;
+                                                                                    if (_e2203.x < _e2205.x) {
+                                                                                        phi_2756_ = _e2203.x;
                                                                                     } else {
-                                                                                        phi_2751_ = _e2204.x;
+                                                                                        phi_2756_ = _e2205.x;
                                                                                     }
-                                                                                    let _e2211 = phi_2751_;
-                                                                                    if (_e2202.y < _e2204.y) {
-                                                                                        phi_2760_ = _e2202.y;
+                                                                                    let _e2212 = phi_2756_;
+                                                                                    if (_e2203.y < _e2205.y) {
+                                                                                        phi_2765_ = _e2203.y;
                                                                                     } else {
-                                                                                        phi_2760_ = _e2204.y;
+                                                                                        phi_2765_ = _e2205.y;
                                                                                     }
-                                                                                    let _e2218 = phi_2760_;
-                                                                                    if (_e2202.z < _e2204.z) {
-                                                                                        phi_2769_ = _e2202.z;
+                                                                                    let _e2219 = phi_2765_;
+                                                                                    if (_e2203.z < _e2205.z) {
+                                                                                        phi_2774_ = _e2203.z;
                                                                                     } else {
-                                                                                        phi_2769_ = _e2204.z;
+                                                                                        phi_2774_ = _e2205.z;
                                                                                     }
-                                                                                    let _e2225 = phi_2769_;
-                                                                                    let _e2227 = triangles.member[(0u + _e1914)].v2_;
-                                                                                    if (_e2211 < _e2227.x) {
-                                                                                        phi_2778_ = _e2211;
+                                                                                    let _e2226 = phi_2774_;
+                                                                                    let _e2228 = triangles.member[(0u + _e1915)].v2_;
+                                                                                    if (_e2212 < _e2228.x) {
+                                                                                        phi_2783_ = _e2212;
                                                                                     } else {
-                                                                                        phi_2778_ = _e2227.x;
+                                                                                        phi_2783_ = _e2228.x;
                                                                                     }
-                                                                                    let _e2232 = phi_2778_;
-                                                                                    if (_e2218 < _e2227.y) {
-                                                                                        phi_2785_ = _e2218;
+                                                                                    let _e2233 = phi_2783_;
+                                                                                    if (_e2219 < _e2228.y) {
+                                                                                        phi_2790_ = _e2219;
                                                                                     } else {
-                                                                                        phi_2785_ = _e2227.y;
+                                                                                        phi_2790_ = _e2228.y;
                                                                                     }
-                                                                                    let _e2237 = phi_2785_;
-                                                                                    if (_e2225 < _e2227.z) {
-                                                                                        phi_2792_ = _e2225;
+                                                                                    let _e2238 = phi_2790_;
+                                                                                    if (_e2226 < _e2228.z) {
+                                                                                        phi_2797_ = _e2226;
                                                                                     } else {
-                                                                                        phi_2792_ = _e2227.z;
+                                                                                        phi_2797_ = _e2228.z;
                                                                                     }
-                                                                                    let _e2242 = phi_2792_;
-                                                                                    let _e2244 = triangles.member[(0u + _e1914)].v0_;
-                                                                                    let _e2246 = triangles.member[(0u + _e1914)].v1_;
-                                                                                    if (_e2244.x > _e2246.x) {
-                                                                                        phi_2805_ = _e2244.x;
+                                                                                    let _e2243 = phi_2797_;
+                                                                                    let _e2245 = triangles.member[(0u + _e1915)].v0_;
+                                                                                    let _e2247 = triangles.member[(0u + _e1915)].v1_;
+                                                                                    if (_e2245.x > _e2247.x) {
+                                                                                        phi_2810_ = _e2245.x;
                                                                                     } else {
-                                                                                        phi_2805_ = _e2246.x;
+                                                                                        phi_2810_ = _e2247.x;
                                                                                     }
-                                                                                    let _e2253 = phi_2805_;
-                                                                                    if (_e2244.y > _e2246.y) {
-                                                                                        phi_2814_ = _e2244.y;
+                                                                                    let _e2254 = phi_2810_;
+                                                                                    if (_e2245.y > _e2247.y) {
+                                                                                        phi_2819_ = _e2245.y;
                                                                                     } else {
-                                                                                        phi_2814_ = _e2246.y;
+                                                                                        phi_2819_ = _e2247.y;
                                                                                     }
-                                                                                    let _e2260 = phi_2814_;
-                                                                                    if (_e2244.z > _e2246.z) {
-                                                                                        phi_2823_ = _e2244.z;
+                                                                                    let _e2261 = phi_2819_;
+                                                                                    if (_e2245.z > _e2247.z) {
+                                                                                        phi_2828_ = _e2245.z;
                                                                                     } else {
-                                                                                        phi_2823_ = _e2246.z;
+                                                                                        phi_2828_ = _e2247.z;
                                                                                     }
-                                                                                    let _e2267 = phi_2823_;
-                                                                                    let _e2269 = triangles.member[(0u + _e1914)].v2_;
-                                                                                    if (_e2253 > _e2269.x) {
-                                                                                        phi_2832_ = _e2253;
+                                                                                    let _e2268 = phi_2828_;
+                                                                                    let _e2270 = triangles.member[(0u + _e1915)].v2_;
+                                                                                    if (_e2254 > _e2270.x) {
+                                                                                        phi_2837_ = _e2254;
                                                                                     } else {
-                                                                                        phi_2832_ = _e2269.x;
+                                                                                        phi_2837_ = _e2270.x;
                                                                                     }
-                                                                                    let _e2274 = phi_2832_;
-                                                                                    if (_e2260 > _e2269.y) {
-                                                                                        phi_2839_ = _e2260;
+                                                                                    let _e2275 = phi_2837_;
+                                                                                    if (_e2261 > _e2270.y) {
+                                                                                        phi_2844_ = _e2261;
                                                                                     } else {
-                                                                                        phi_2839_ = _e2269.y;
+                                                                                        phi_2844_ = _e2270.y;
                                                                                     }
-                                                                                    let _e2279 = phi_2839_;
-                                                                                    if (_e2267 > _e2269.z) {
-                                                                                        phi_2846_ = _e2267;
+                                                                                    let _e2280 = phi_2844_;
+                                                                                    if (_e2268 > _e2270.z) {
+                                                                                        phi_2851_ = _e2268;
                                                                                     } else {
-                                                                                        phi_2846_ = _e2269.z;
+                                                                                        phi_2851_ = _e2270.z;
                                                                                     }
-                                                                                    let _e2284 = phi_2846_;
-                                                                                    let _e2288 = ((_e2232 - _e1020) * _e1229);
-                                                                                    let _e2289 = ((_e2237 - _e1033) * _e1239);
-                                                                                    let _e2290 = ((_e2242 - _e1046) * _e1249);
-                                                                                    let _e2294 = ((_e2274 - _e1020) * _e1229);
-                                                                                    let _e2295 = ((_e2279 - _e1033) * _e1239);
-                                                                                    let _e2296 = ((_e2284 - _e1046) * _e1249);
-                                                                                    if (_e2288 < _e2294) {
-                                                                                        phi_2863_ = _e2288;
-                                                                                    } else {
-                                                                                        phi_2863_ = _e2294;
-                                                                                    }
-                                                                                    let _e2299 = phi_2863_;
+                                                                                    let _e2285 = phi_2851_;
+                                                                                    let _e2289 = ((_e2233 - _e1021) * _e1230);
+                                                                                    let _e2290 = ((_e2238 - _e1034) * _e1240);
+                                                                                    let _e2291 = ((_e2243 - _e1047) * _e1250);
+                                                                                    let _e2295 = ((_e2275 - _e1021) * _e1230);
+                                                                                    let _e2296 = ((_e2280 - _e1034) * _e1240);
+                                                                                    let _e2297 = ((_e2285 - _e1047) * _e1250);
                                                                                     if (_e2289 < _e2295) {
                                                                                         phi_2868_ = _e2289;
                                                                                     } else {
                                                                                         phi_2868_ = _e2295;
                                                                                     }
-                                                                                    let _e2302 = phi_2868_;
+                                                                                    let _e2300 = phi_2868_;
                                                                                     if (_e2290 < _e2296) {
                                                                                         phi_2873_ = _e2290;
                                                                                     } else {
                                                                                         phi_2873_ = _e2296;
                                                                                     }
-                                                                                    let _e2305 = phi_2873_;
-                                                                                    if (_e2288 > _e2294) {
-                                                                                        phi_2881_ = _e2288;
+                                                                                    let _e2303 = phi_2873_;
+                                                                                    if (_e2291 < _e2297) {
+                                                                                        phi_2878_ = _e2291;
                                                                                     } else {
-                                                                                        phi_2881_ = _e2294;
+                                                                                        phi_2878_ = _e2297;
                                                                                     }
-                                                                                    let _e2311 = phi_2881_;
+                                                                                    let _e2306 = phi_2878_;
                                                                                     if (_e2289 > _e2295) {
                                                                                         phi_2886_ = _e2289;
                                                                                     } else {
                                                                                         phi_2886_ = _e2295;
                                                                                     }
-                                                                                    let _e2314 = phi_2886_;
+                                                                                    let _e2312 = phi_2886_;
                                                                                     if (_e2290 > _e2296) {
                                                                                         phi_2891_ = _e2290;
                                                                                     } else {
                                                                                         phi_2891_ = _e2296;
                                                                                     }
-                                                                                    let _e2317 = phi_2891_;
-                                                                                    let _e2321 = core_intrinsics_maximum_number_nsz_f32_((_e2299 - _e1284), (_e2302 - _e1285));
-                                                                                    let _e2322 = core_intrinsics_maximum_number_nsz_f32_(_e2321, (_e2305 - _e1286));
-                                                                                    let _e2323 = core_intrinsics_minimum_number_nsz_f32_((_e2311 + _e1284), (_e2314 + _e1285));
-                                                                                    let _e2324 = core_intrinsics_minimum_number_nsz_f32_(_e2323, (_e2317 + _e1286));
-                                                                                    if (_e2322 > _e1001) {
-                                                                                        phi_2903_ = _e2322;
+                                                                                    let _e2315 = phi_2891_;
+                                                                                    if (_e2291 > _e2297) {
+                                                                                        phi_2896_ = _e2291;
                                                                                     } else {
-                                                                                        phi_2903_ = _e1001;
+                                                                                        phi_2896_ = _e2297;
                                                                                     }
-                                                                                    let _e2327 = phi_2903_;
-                                                                                    if (_e2324 < _e1003) {
-                                                                                        phi_2908_ = _e2324;
+                                                                                    let _e2318 = phi_2896_;
+                                                                                    let _e2322 = core_intrinsics_maximum_number_nsz_f32_((_e2300 - _e1285), (_e2303 - _e1286));
+                                                                                    let _e2323 = core_intrinsics_maximum_number_nsz_f32_(_e2322, (_e2306 - _e1287));
+                                                                                    let _e2324 = core_intrinsics_minimum_number_nsz_f32_((_e2312 + _e1285), (_e2315 + _e1286));
+                                                                                    let _e2325 = core_intrinsics_minimum_number_nsz_f32_(_e2324, (_e2318 + _e1287));
+                                                                                    if (_e2323 > _e1002) {
+                                                                                        phi_2908_ = _e2323;
                                                                                     } else {
-                                                                                        phi_2908_ = _e1003;
+                                                                                        phi_2908_ = _e1002;
                                                                                     }
-                                                                                    let _e2330 = phi_2908_;
-                                                                                    if (_e2198 < _e2327) {
-                                                                                        phi_2913_ = _e2327;
+                                                                                    let _e2328 = phi_2908_;
+                                                                                    if (_e2325 < _e1004) {
+                                                                                        phi_2913_ = _e2325;
                                                                                     } else {
-                                                                                        phi_2913_ = _e2198;
+                                                                                        phi_2913_ = _e1004;
                                                                                     }
-                                                                                    let _e2333 = phi_2913_;
-                                                                                    if (_e2333 > _e2330) {
-                                                                                        phi_2918_ = _e2330;
+                                                                                    let _e2331 = phi_2913_;
+                                                                                    if (_e2199 < _e2328) {
+                                                                                        phi_2918_ = _e2328;
                                                                                     } else {
-                                                                                        phi_2918_ = _e2333;
+                                                                                        phi_2918_ = _e2199;
                                                                                     }
-                                                                                    let _e2336 = phi_2918_;
-                                                                                    phi_2923_ = lt_bvh_triangle_Intersection(_e2336, (_e2039 / _e2098), (_e2060 / _e2098), (_e2327 <= _e2330));
-                                                                                    phi_2924_ = false;
+                                                                                    let _e2334 = phi_2918_;
+                                                                                    if (_e2334 > _e2331) {
+                                                                                        phi_2923_ = _e2331;
+                                                                                    } else {
+                                                                                        phi_2923_ = _e2334;
+                                                                                    }
+                                                                                    let _e2337 = phi_2923_;
+                                                                                    phi_2928_ = lt_bvh_triangle_Intersection(_e2337, (_e2040 / _e2099), (_e2061 / _e2099), (_e2328 <= _e2331));
+                                                                                    phi_2929_ = false;
                                                                                 } else {
-                                                                                    phi_2923_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2924_ = true;
+                                                                                    phi_2928_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2929_ = true;
                                                                                 }
-                                                                                let _e2342 = phi_2923_;
-                                                                                let _e2344 = phi_2924_;
-                                                                                phi_2925_ = _e2342;
-                                                                                phi_2926_ = _e2344;
+                                                                                let _e2343 = phi_2928_;
+                                                                                let _e2345 = phi_2929_;
+                                                                                phi_2930_ = _e2343;
+                                                                                phi_2931_ = _e2345;
                                                                             } else {
-                                                                                phi_2925_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2926_ = true;
+                                                                                phi_2930_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2931_ = true;
                                                                             }
-                                                                            let _e2346 = phi_2925_;
-                                                                            let _e2348 = phi_2926_;
-                                                                            if _e2348 {
+                                                                            let _e2347 = phi_2930_;
+                                                                            let _e2349 = phi_2931_;
+                                                                            if _e2349 {
                                                                             }
-                                                                            phi_2930_ = _e2346;
-                                                                            phi_2931_ = _e2348;
+                                                                            phi_2935_ = _e2347;
+                                                                            phi_2936_ = _e2349;
                                                                         }
-                                                                        let _e2350 = phi_2930_;
-                                                                        let _e2352 = phi_2931_;
-                                                                        phi_2932_ = _e2350;
-                                                                        phi_2933_ = _e2101;
-                                                                        phi_2934_ = _e2352;
+                                                                        let _e2351 = phi_2935_;
+                                                                        let _e2353 = phi_2936_;
+                                                                        phi_2937_ = _e2351;
+                                                                        phi_2938_ = _e2102;
+                                                                        phi_2939_ = _e2353;
                                                                     } else {
-                                                                        phi_2932_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2933_ = true;
-                                                                        phi_2934_ = false;
-                                                                    }
-                                                                    let _e2354 = phi_2932_;
-                                                                    let _e2356 = phi_2933_;
-                                                                    let _e2358 = phi_2934_;
-                                                                    if _e2356 {
+                                                                        phi_2937_ = lt_bvh_triangle_Intersection();
                                                                         phi_2938_ = true;
-                                                                    } else {
-                                                                        phi_2938_ = _e2358;
+                                                                        phi_2939_ = false;
                                                                     }
-                                                                    let _e2360 = phi_2938_;
-                                                                    if _e2360 {
-                                                                        phi_2942_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2355 = phi_2937_;
+                                                                    let _e2357 = phi_2938_;
+                                                                    let _e2359 = phi_2939_;
+                                                                    if _e2357 {
+                                                                        phi_2943_ = true;
                                                                     } else {
-                                                                        phi_2942_ = _e2354;
+                                                                        phi_2943_ = _e2359;
                                                                     }
-                                                                    let _e2362 = phi_2942_;
-                                                                    if _e2362.is_hit {
-                                                                        if (_e2362.t > 0f) {
-                                                                            if (_e2362.t < _e146) {
-                                                                                let _e2369 = triangles.member[(0u + _e1914)].i0_;
-                                                                                if ((_e2369 & 2147483648u) == 0u) {
-                                                                                    phi_3161_ = true;
+                                                                    let _e2361 = phi_2943_;
+                                                                    if _e2361 {
+                                                                        phi_2947_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    } else {
+                                                                        phi_2947_ = _e2355;
+                                                                    }
+                                                                    let _e2363 = phi_2947_;
+                                                                    if _e2363.is_hit {
+                                                                        if (_e2363.t > 0f) {
+                                                                            if (_e2363.t < _e147) {
+                                                                                let _e2370 = triangles.member[(0u + _e1915)].i0_;
+                                                                                if ((_e2370 & 2147483648u) == 0u) {
+                                                                                    phi_3166_ = true;
                                                                                 } else {
-                                                                                    if (_e1914 < _e80) {
+                                                                                    if (_e1915 < _e81) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2378 = triangles.member[(0u + _e1914)].i0_;
-                                                                                    let _e2379 = (_e2378 & 2147483647u);
-                                                                                    let _e2381 = triangles.member[(0u + _e1914)].i1_;
-                                                                                    let _e2383 = triangles.member[(0u + _e1914)].i2_;
-                                                                                    if (_e2379 < _e95) {
+                                                                                    let _e2379 = triangles.member[(0u + _e1915)].i0_;
+                                                                                    let _e2380 = (_e2379 & 2147483647u);
+                                                                                    let _e2382 = triangles.member[(0u + _e1915)].i1_;
+                                                                                    let _e2384 = triangles.member[(0u + _e1915)].i2_;
+                                                                                    if (_e2380 < _e96) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2387 = vertices.member[(0u + _e2379)];
-                                                                                    if (_e2381 < _e95) {
+                                                                                    let _e2388 = vertices.member[(0u + _e2380)];
+                                                                                    if (_e2382 < _e96) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2391 = vertices.member[(0u + _e2381)];
-                                                                                    if (_e2383 < _e95) {
+                                                                                    let _e2392 = vertices.member[(0u + _e2382)];
+                                                                                    if (_e2384 < _e96) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2395 = vertices.member[(0u + _e2383)];
-                                                                                    let _e2396 = array<abi_Vertex, 3>(_e2387, _e2391, _e2395);
-                                                                                    if (_e2396[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2396 = vertices.member[(0u + _e2384)];
+                                                                                    let _e2397 = array<abi_Vertex, 3>(_e2388, _e2392, _e2396);
+                                                                                    if (_e2397[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2402 = materials.member[(0u + _e2396[0].material)];
-                                                                                    if ((_e2402.flags & 1u) == 1u) {
-                                                                                        let _e2407 = ((1f - _e2362.u) - _e2362.v);
-                                                                                        if (_e2402.cutoff <= 0f) {
-                                                                                            phi_3159_ = true;
+                                                                                    let _e2403 = materials.member[(0u + _e2397[0].material)];
+                                                                                    if ((_e2403.flags & 1u) == 1u) {
+                                                                                        let _e2408 = ((1f - _e2363.u) - _e2363.v);
+                                                                                        if (_e2403.cutoff <= 0f) {
+                                                                                            phi_3164_ = true;
                                                                                         } else {
-                                                                                            let _e2434 = (_e2402.base_color.w * ((((f32((_e2396[0].color >> bitcast<u32>(24i))) * _e2407) + (f32((_e2396[1].color >> bitcast<u32>(24i))) * _e2362.u)) + (f32((_e2396[2].color >> bitcast<u32>(24i))) * _e2362.v)) * (1f / 255f)));
-                                                                                            if (_e2402.alpha_size == 0u) {
-                                                                                                phi_3156_ = _e2434;
+                                                                                            let _e2435 = (_e2403.base_color.w * ((((f32((_e2397[0].color >> bitcast<u32>(24i))) * _e2408) + (f32((_e2397[1].color >> bitcast<u32>(24i))) * _e2363.u)) + (f32((_e2397[2].color >> bitcast<u32>(24i))) * _e2363.v)) * (1f / 255f)));
+                                                                                            if (_e2403.alpha_size == 0u) {
+                                                                                                phi_3161_ = _e2435;
                                                                                             } else {
-                                                                                                local.offset = _e2402.alpha_offset;
-                                                                                                local.size = _e2402.alpha_size;
-                                                                                                local.flags = _e2402.flags;
-                                                                                                let _e2465 = _lt_shaders_texture_TextureView_quad((&local), (((_e2396[0].u * _e2407) + (_e2396[1].u * _e2362.u)) + (_e2396[2].u * _e2362.v)), (((_e2396[0].v * _e2407) + (_e2396[1].v * _e2362.u)) + (_e2396[2].v * _e2362.v)));
-                                                                                                let _e2469 = (_e2465.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2469 < _e101) {
+                                                                                                local.offset = _e2403.alpha_offset;
+                                                                                                local.size = _e2403.alpha_size;
+                                                                                                local.flags = _e2403.flags;
+                                                                                                let _e2466 = _lt_shaders_texture_TextureView_quad((&local), (((_e2397[0].u * _e2408) + (_e2397[1].u * _e2363.u)) + (_e2397[2].u * _e2363.v)), (((_e2397[0].v * _e2408) + (_e2397[1].v * _e2363.u)) + (_e2397[2].v * _e2363.v)));
+                                                                                                let _e2470 = (_e2466.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2470 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2473 = alpha_texels.member[(0u + _e2469)];
-                                                                                                let _e2489 = (_e2465.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2489 < _e101) {
+                                                                                                let _e2474 = alpha_texels.member[(0u + _e2470)];
+                                                                                                let _e2490 = (_e2466.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2490 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2493 = alpha_texels.member[(0u + _e2489)];
-                                                                                                let _e2510 = (_e2465.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2510 < _e101) {
+                                                                                                let _e2494 = alpha_texels.member[(0u + _e2490)];
+                                                                                                let _e2511 = (_e2466.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2511 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2514 = alpha_texels.member[(0u + _e2510)];
-                                                                                                let _e2531 = (_e2465.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2531 < _e101) {
+                                                                                                let _e2515 = alpha_texels.member[(0u + _e2511)];
+                                                                                                let _e2532 = (_e2466.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2532 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2535 = alpha_texels.member[(0u + _e2531)];
-                                                                                                phi_3156_ = (_e2434 * (((((f32(((_e2473 >> bitcast<u32>((((_e2465.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.x) + ((f32(((_e2493 >> bitcast<u32>((((_e2465.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.y)) + ((f32(((_e2514 >> bitcast<u32>((((_e2465.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.z)) + ((f32(((_e2535 >> bitcast<u32>((((_e2465.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.w)));
+                                                                                                let _e2536 = alpha_texels.member[(0u + _e2532)];
+                                                                                                phi_3161_ = (_e2435 * (((((f32(((_e2474 >> bitcast<u32>((((_e2466.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.x) + ((f32(((_e2494 >> bitcast<u32>((((_e2466.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.y)) + ((f32(((_e2515 >> bitcast<u32>((((_e2466.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.z)) + ((f32(((_e2536 >> bitcast<u32>((((_e2466.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.w)));
                                                                                             }
-                                                                                            let _e2551 = phi_3156_;
-                                                                                            phi_3159_ = (_e2551 >= _e2402.cutoff);
+                                                                                            let _e2552 = phi_3161_;
+                                                                                            phi_3164_ = (_e2552 >= _e2403.cutoff);
                                                                                         }
-                                                                                        let _e2555 = phi_3159_;
-                                                                                        phi_3160_ = _e2555;
+                                                                                        let _e2556 = phi_3164_;
+                                                                                        phi_3165_ = _e2556;
                                                                                     } else {
-                                                                                        phi_3160_ = false;
+                                                                                        phi_3165_ = false;
                                                                                     }
-                                                                                    let _e2557 = phi_3160_;
-                                                                                    phi_3161_ = _e2557;
+                                                                                    let _e2558 = phi_3165_;
+                                                                                    phi_3166_ = _e2558;
                                                                                 }
-                                                                                let _e2559 = phi_3161_;
-                                                                                if _e2559 {
-                                                                                    phi_3165_ = false;
+                                                                                let _e2560 = phi_3166_;
+                                                                                if _e2560 {
+                                                                                    phi_3170_ = false;
                                                                                 } else {
-                                                                                    phi_3165_ = true;
+                                                                                    phi_3170_ = true;
                                                                                 }
-                                                                                let _e2561 = phi_3165_;
-                                                                                phi_3166_ = _e2559;
-                                                                                phi_3167_ = _e2559;
-                                                                                phi_3168_ = _e2561;
+                                                                                let _e2562 = phi_3170_;
+                                                                                phi_3171_ = _e2560;
+                                                                                phi_3172_ = _e2560;
+                                                                                phi_3173_ = _e2562;
                                                                             } else {
-                                                                                phi_3166_ = bool();
-                                                                                phi_3167_ = _e1905;
-                                                                                phi_3168_ = true;
+                                                                                phi_3171_ = bool();
+                                                                                phi_3172_ = _e1906;
+                                                                                phi_3173_ = true;
                                                                             }
-                                                                            let _e2563 = phi_3166_;
-                                                                            let _e2565 = phi_3167_;
-                                                                            let _e2567 = phi_3168_;
-                                                                            phi_3169_ = _e2563;
-                                                                            phi_3170_ = _e2565;
-                                                                            phi_3171_ = _e2567;
+                                                                            let _e2564 = phi_3171_;
+                                                                            let _e2566 = phi_3172_;
+                                                                            let _e2568 = phi_3173_;
+                                                                            phi_3174_ = _e2564;
+                                                                            phi_3175_ = _e2566;
+                                                                            phi_3176_ = _e2568;
                                                                         } else {
-                                                                            phi_3169_ = bool();
-                                                                            phi_3170_ = _e1905;
-                                                                            phi_3171_ = true;
+                                                                            phi_3174_ = bool();
+                                                                            phi_3175_ = _e1906;
+                                                                            phi_3176_ = true;
                                                                         }
-                                                                        let _e2569 = phi_3169_;
-                                                                        let _e2571 = phi_3170_;
-                                                                        let _e2573 = phi_3171_;
-                                                                        phi_3172_ = _e2569;
-                                                                        phi_3173_ = _e2571;
-                                                                        phi_3174_ = _e2573;
+                                                                        let _e2570 = phi_3174_;
+                                                                        let _e2572 = phi_3175_;
+                                                                        let _e2574 = phi_3176_;
+                                                                        phi_3177_ = _e2570;
+                                                                        phi_3178_ = _e2572;
+                                                                        phi_3179_ = _e2574;
                                                                     } else {
-                                                                        phi_3172_ = bool();
-                                                                        phi_3173_ = _e1905;
-                                                                        phi_3174_ = true;
+                                                                        phi_3177_ = bool();
+                                                                        phi_3178_ = _e1906;
+                                                                        phi_3179_ = true;
                                                                     }
-                                                                    let _e2575 = phi_3172_;
-                                                                    let _e2577 = phi_3173_;
-                                                                    let _e2579 = phi_3174_;
-                                                                    if _e2579 {
+                                                                    let _e2576 = phi_3177_;
+                                                                    let _e2578 = phi_3178_;
+                                                                    let _e2580 = phi_3179_;
+                                                                    if _e2580 {
                                                                     }
-                                                                    phi_2372_ = (_e1903 & (_e1903 - 1u));
-                                                                    phi_2375_ = _e2577;
-                                                                    phi_3178_ = _e2575;
-                                                                    phi_3179_ = _e2579;
+                                                                    phi_2377_ = (_e1904 & (_e1904 - 1u));
+                                                                    phi_2380_ = _e2578;
+                                                                    phi_3183_ = _e2576;
+                                                                    phi_3184_ = _e2580;
                                                                 }
-                                                                let _e2581 = phi_2372_;
-                                                                let _e2583 = phi_2375_;
-                                                                let _e2585 = phi_3178_;
-                                                                let _e2587 = phi_3179_;
-                                                                local_14 = _e2585;
+                                                                let _e2582 = phi_2377_;
+                                                                let _e2584 = phi_2380_;
+                                                                let _e2586 = phi_3183_;
+                                                                let _e2588 = phi_3184_;
+                                                                local_14 = _e2586;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2371_ = _e2581;
-                                                                    phi_2374_ = _e2583;
-                                                                    break if !(_e2587);
+                                                                    phi_2376_ = _e2582;
+                                                                    phi_2379_ = _e2584;
+                                                                    break if !(_e2588);
                                                                 }
                                                             }
-                                                            let _e2590 = local_9;
-                                                            if _e2590 {
-                                                                let _e2592 = local_1.group_mask;
-                                                                if ((_e2592 & 4278190080u) == 0u) {
-                                                                    let _e2596 = local_1.len;
-                                                                    if (_e2596 == 0u) {
-                                                                        phi_3221_ = false;
+                                                            let _e2591 = local_9;
+                                                            if _e2591 {
+                                                                let _e2593 = local_1.group_mask;
+                                                                if ((_e2593 & 4278190080u) == 0u) {
+                                                                    let _e2597 = local_1.len;
+                                                                    if (_e2597 == 0u) {
+                                                                        phi_3226_ = false;
                                                                     } else {
-                                                                        let _e2600 = local_1.len;
-                                                                        local_1.len = (_e2600 - 1u);
-                                                                        let _e2603 = local_1.len;
-                                                                        if (_e2603 < 32u) {
+                                                                        let _e2601 = local_1.len;
+                                                                        local_1.len = (_e2601 - 1u);
+                                                                        let _e2604 = local_1.len;
+                                                                        if (_e2604 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2608 = local_1.first[(0u + _e2603)];
-                                                                        local_1.group = _e2608;
-                                                                        let _e2611 = local_1.len;
-                                                                        if (_e2611 < 32u) {
+                                                                        let _e2609 = local_1.first[(0u + _e2604)];
+                                                                        local_1.group = _e2609;
+                                                                        let _e2612 = local_1.len;
+                                                                        if (_e2612 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2616 = local_1.mask[(0u + _e2611)];
-                                                                        local_1.group_mask = _e2616;
-                                                                        phi_3221_ = true;
+                                                                        let _e2617 = local_1.mask[(0u + _e2612)];
+                                                                        local_1.group_mask = _e2617;
+                                                                        phi_3226_ = true;
                                                                     }
-                                                                    let _e2619 = phi_3221_;
-                                                                    phi_3222_ = _e2619;
+                                                                    let _e2620 = phi_3226_;
+                                                                    phi_3227_ = _e2620;
                                                                 } else {
-                                                                    phi_3222_ = true;
+                                                                    phi_3227_ = true;
                                                                 }
-                                                                let _e2621 = phi_3222_;
-                                                                if _e2621 {
-                                                                    let _e2623 = local_1.group_mask;
-                                                                    let _e2629 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2623)), 32u, (_e2623 == 0u)));
-                                                                    let _e2633 = local_1.group_mask;
-                                                                    let _e2647 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2647 & ~((1u << bitcast<u32>((_e2629 & 31u)))));
-                                                                    let _e2650 = local_1.group;
-                                                                    phi_3253_ = (_e2650 + countOneBits(((_e2633 & ~((4294967295u << bitcast<u32>((((_e2629 - 24u) ^ _e1327) & 31u))))) & 255u)));
+                                                                let _e2622 = phi_3227_;
+                                                                if _e2622 {
+                                                                    let _e2624 = local_1.group_mask;
+                                                                    let _e2630 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2624)), 32u, (_e2624 == 0u)));
+                                                                    let _e2634 = local_1.group_mask;
+                                                                    let _e2648 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2648 & ~((1u << bitcast<u32>((_e2630 & 31u)))));
+                                                                    let _e2651 = local_1.group;
+                                                                    phi_3258_ = (_e2651 + countOneBits(((_e2634 & ~((4294967295u << bitcast<u32>((((_e2630 - 24u) ^ _e1328) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3253_ = 4294967295u;
+                                                                    phi_3258_ = 4294967295u;
                                                                 }
-                                                                let _e2653 = phi_3253_;
-                                                                phi_3254_ = _e2653;
+                                                                let _e2654 = phi_3258_;
+                                                                phi_3259_ = _e2654;
                                                             } else {
-                                                                phi_3254_ = u32();
+                                                                phi_3259_ = u32();
                                                             }
-                                                            let _e2655 = phi_3254_;
-                                                            phi_2040_ = _e2655;
-                                                            let _e3071 = local_13;
-                                                            phi_2043_ = _e3071;
-                                                            let _e3074 = local_14;
-                                                            phi_3255_ = _e3074;
-                                                            let _e3077 = local_15;
-                                                            phi_3256_ = _e3077;
-                                                            phi_3257_ = false;
+                                                            let _e2656 = phi_3259_;
+                                                            phi_2045_ = _e2656;
+                                                            let _e3136 = local_13;
+                                                            phi_2048_ = _e3136;
+                                                            let _e3139 = local_14;
+                                                            phi_3260_ = _e3139;
+                                                            let _e3142 = local_15;
+                                                            phi_3261_ = _e3142;
+                                                            phi_3262_ = false;
                                                         } else {
-                                                            phi_2040_ = u32();
-                                                            phi_2043_ = bool();
-                                                            phi_3255_ = bool();
-                                                            phi_3256_ = false;
-                                                            phi_3257_ = true;
+                                                            phi_2045_ = u32();
+                                                            phi_2048_ = bool();
+                                                            phi_3260_ = bool();
+                                                            phi_3261_ = false;
+                                                            phi_3262_ = true;
                                                         }
-                                                        let _e2657 = phi_2040_;
-                                                        let _e2659 = phi_2043_;
-                                                        let _e2661 = phi_3255_;
-                                                        let _e2663 = phi_3256_;
-                                                        let _e2665 = phi_3257_;
-                                                        local_10 = _e2665;
-                                                        local_16 = _e2661;
+                                                        let _e2658 = phi_2045_;
+                                                        let _e2660 = phi_2048_;
+                                                        let _e2662 = phi_3260_;
+                                                        let _e2664 = phi_3261_;
+                                                        let _e2666 = phi_3262_;
+                                                        local_10 = _e2666;
+                                                        local_16 = _e2662;
                                                         continue;
                                                         continuing {
-                                                            phi_2039_ = _e2657;
-                                                            phi_2042_ = _e2659;
-                                                            break if !(_e2663);
+                                                            phi_2044_ = _e2658;
+                                                            phi_2047_ = _e2660;
+                                                            break if !(_e2664);
                                                         }
                                                     }
-                                                    let _e2668 = local_10;
-                                                    if _e2668 {
-                                                        phi_3261_ = false;
+                                                    let _e2669 = local_10;
+                                                    if _e2669 {
+                                                        phi_3266_ = false;
                                                     } else {
-                                                        phi_3261_ = true;
+                                                        phi_3266_ = true;
                                                     }
-                                                    let _e2670 = phi_3261_;
-                                                    if _e2670 {
-                                                        let _e3083 = local_16;
-                                                        phi_3265_ = _e3083;
+                                                    let _e2671 = phi_3266_;
+                                                    if _e2671 {
+                                                        let _e3148 = local_16;
+                                                        phi_3270_ = _e3148;
                                                     } else {
-                                                        let _e3085 = local_17;
-                                                        phi_3265_ = _e3085;
+                                                        let _e3150 = local_17;
+                                                        phi_3270_ = _e3150;
                                                     }
-                                                    let _e2672 = phi_3265_;
-                                                    phi_3266_ = _e2672;
+                                                    let _e2673 = phi_3270_;
+                                                    phi_3271_ = _e2673;
                                                 }
-                                                let _e2674 = phi_3266_;
-                                                phi_3267_ = _e2674;
-                                                phi_3268_ = _e1153;
+                                                let _e2675 = phi_3271_;
+                                                phi_3272_ = _e2675;
+                                                phi_3273_ = _e1154;
                                             } else {
-                                                phi_3267_ = bool();
-                                                phi_3268_ = true;
+                                                phi_3272_ = bool();
+                                                phi_3273_ = true;
                                             }
-                                            let _e2676 = phi_3267_;
-                                            let _e2678 = phi_3268_;
-                                            if _e2678 {
-                                                phi_3272_ = _e940;
+                                            let _e2677 = phi_3272_;
+                                            let _e2679 = phi_3273_;
+                                            if _e2679 {
+                                                phi_3277_ = _e941;
                                             } else {
-                                                phi_3272_ = _e2676;
+                                                phi_3277_ = _e2677;
                                             }
-                                            let _e2680 = phi_3272_;
-                                            if _e2680 {
-                                                phi_3276_ = false;
+                                            let _e2681 = phi_3277_;
+                                            if _e2681 {
+                                                phi_3281_ = false;
                                             } else {
-                                                phi_3276_ = true;
+                                                phi_3281_ = true;
                                             }
-                                            let _e2682 = phi_3276_;
-                                            phi_3277_ = _e2680;
-                                            phi_3278_ = _e2682;
+                                            let _e2683 = phi_3281_;
+                                            phi_3282_ = _e2681;
+                                            phi_3283_ = _e2683;
                                         } else {
-                                            phi_3277_ = _e940;
-                                            phi_3278_ = true;
+                                            phi_3282_ = _e941;
+                                            phi_3283_ = true;
                                         }
-                                        let _e2684 = phi_3277_;
-                                        let _e2686 = phi_3278_;
-                                        phi_3279_ = _e2684;
-                                        phi_3280_ = _e2686;
+                                        let _e2685 = phi_3282_;
+                                        let _e2687 = phi_3283_;
+                                        phi_3284_ = _e2685;
+                                        phi_3285_ = _e2687;
                                     } else {
-                                        phi_3279_ = _e940;
-                                        phi_3280_ = true;
+                                        phi_3284_ = _e941;
+                                        phi_3285_ = true;
                                     }
-                                    let _e2688 = phi_3279_;
-                                    let _e2690 = phi_3280_;
-                                    phi_3281_ = _e2688;
-                                    phi_3282_ = _e2690;
+                                    let _e2689 = phi_3284_;
+                                    let _e2691 = phi_3285_;
+                                    phi_3286_ = _e2689;
+                                    phi_3287_ = _e2691;
                                 } else {
-                                    phi_3281_ = _e940;
-                                    phi_3282_ = true;
+                                    phi_3286_ = _e941;
+                                    phi_3287_ = true;
                                 }
-                                let _e2692 = phi_3281_;
-                                let _e2694 = phi_3282_;
-                                if _e2694 {
+                                let _e2693 = phi_3286_;
+                                let _e2695 = phi_3287_;
+                                if _e2695 {
                                 }
-                                phi_1432_ = (_e938 & (_e938 - 1u));
-                                phi_1435_ = _e2692;
-                                phi_3286_ = _e2694;
+                                phi_1437_ = (_e939 & (_e939 - 1u));
+                                phi_1440_ = _e2693;
+                                phi_3291_ = _e2695;
                             }
-                            let _e2696 = phi_1432_;
-                            let _e2698 = phi_1435_;
-                            let _e2700 = phi_3286_;
+                            let _e2697 = phi_1437_;
+                            let _e2699 = phi_1440_;
+                            let _e2701 = phi_3291_;
                             continue;
                             continuing {
-                                phi_1431_ = _e2696;
-                                phi_1434_ = _e2698;
-                                break if !(_e2700);
+                                phi_1436_ = _e2697;
+                                phi_1439_ = _e2699;
+                                break if !(_e2701);
                             }
                         }
-                        let _e2703 = local_11;
-                        if _e2703 {
-                            let _e2705 = local_2.group_mask;
-                            if ((_e2705 & 4278190080u) == 0u) {
-                                let _e2709 = local_2.len;
-                                if (_e2709 == 0u) {
-                                    phi_3328_ = false;
+                        let _e2704 = local_11;
+                        if _e2704 {
+                            let _e2706 = local_2.group_mask;
+                            if ((_e2706 & 4278190080u) == 0u) {
+                                let _e2710 = local_2.len;
+                                if (_e2710 == 0u) {
+                                    phi_3333_ = false;
                                 } else {
-                                    let _e2713 = local_2.len;
-                                    local_2.len = (_e2713 - 1u);
-                                    let _e2716 = local_2.len;
-                                    if (_e2716 < 32u) {
+                                    let _e2714 = local_2.len;
+                                    local_2.len = (_e2714 - 1u);
+                                    let _e2717 = local_2.len;
+                                    if (_e2717 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2721 = local_2.first[(0u + _e2716)];
-                                    local_2.group = _e2721;
-                                    let _e2724 = local_2.len;
-                                    if (_e2724 < 32u) {
+                                    let _e2722 = local_2.first[(0u + _e2717)];
+                                    local_2.group = _e2722;
+                                    let _e2725 = local_2.len;
+                                    if (_e2725 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2729 = local_2.mask[(0u + _e2724)];
-                                    local_2.group_mask = _e2729;
-                                    phi_3328_ = true;
+                                    let _e2730 = local_2.mask[(0u + _e2725)];
+                                    local_2.group_mask = _e2730;
+                                    phi_3333_ = true;
                                 }
-                                let _e2732 = phi_3328_;
-                                phi_3329_ = _e2732;
+                                let _e2733 = phi_3333_;
+                                phi_3334_ = _e2733;
                             } else {
-                                phi_3329_ = true;
+                                phi_3334_ = true;
                             }
-                            let _e2734 = phi_3329_;
-                            if _e2734 {
-                                let _e2736 = local_2.group_mask;
-                                let _e2742 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2736)), 32u, (_e2736 == 0u)));
-                                let _e2746 = local_2.group_mask;
-                                let _e2760 = local_2.group_mask;
-                                local_2.group_mask = (_e2760 & ~((1u << bitcast<u32>((_e2742 & 31u)))));
-                                let _e2763 = local_2.group;
-                                phi_3360_ = (_e2763 + countOneBits(((_e2746 & ~((4294967295u << bitcast<u32>((((_e2742 - 24u) ^ _e362) & 31u))))) & 255u)));
+                            let _e2735 = phi_3334_;
+                            if _e2735 {
+                                let _e2737 = local_2.group_mask;
+                                let _e2743 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2737)), 32u, (_e2737 == 0u)));
+                                let _e2747 = local_2.group_mask;
+                                let _e2761 = local_2.group_mask;
+                                local_2.group_mask = (_e2761 & ~((1u << bitcast<u32>((_e2743 & 31u)))));
+                                let _e2764 = local_2.group;
+                                phi_3365_ = (_e2764 + countOneBits(((_e2747 & ~((4294967295u << bitcast<u32>((((_e2743 - 24u) ^ _e363) & 31u))))) & 255u)));
                             } else {
-                                phi_3360_ = 4294967295u;
+                                phi_3365_ = 4294967295u;
                             }
-                            let _e2766 = phi_3360_;
-                            phi_3361_ = _e2766;
+                            let _e2767 = phi_3365_;
+                            phi_3366_ = _e2767;
                         } else {
-                            phi_3361_ = u32();
+                            phi_3366_ = u32();
                         }
-                        let _e2768 = phi_3361_;
-                        phi_1100_ = _e2768;
-                        let _e3108 = local_18;
-                        phi_1103_ = _e3108;
-                        let _e3111 = local_19;
-                        phi_3362_ = _e3111;
-                        phi_3363_ = false;
+                        let _e2769 = phi_3366_;
+                        phi_1105_ = _e2769;
+                        let _e3173 = local_18;
+                        phi_1108_ = _e3173;
+                        let _e3176 = local_19;
+                        phi_3367_ = _e3176;
+                        phi_3368_ = false;
                     } else {
-                        phi_1100_ = u32();
-                        phi_1103_ = bool();
-                        phi_3362_ = false;
-                        phi_3363_ = true;
+                        phi_1105_ = u32();
+                        phi_1108_ = bool();
+                        phi_3367_ = false;
+                        phi_3368_ = true;
                     }
-                    let _e2770 = phi_1100_;
-                    let _e2772 = phi_1103_;
-                    let _e2774 = phi_3362_;
-                    let _e2776 = phi_3363_;
-                    local_12 = _e2776;
+                    let _e2771 = phi_1105_;
+                    let _e2773 = phi_1108_;
+                    let _e2775 = phi_3367_;
+                    let _e2777 = phi_3368_;
+                    local_12 = _e2777;
                     continue;
                     continuing {
-                        phi_1099_ = _e2770;
-                        phi_1102_ = _e2772;
-                        break if !(_e2774);
+                        phi_1104_ = _e2771;
+                        phi_1107_ = _e2773;
+                        break if !(_e2775);
                     }
                 }
-                let _e2779 = local_12;
-                if _e2779 {
-                    phi_3367_ = false;
+                let _e2780 = local_12;
+                if _e2780 {
+                    phi_3372_ = false;
                 } else {
-                    phi_3367_ = true;
+                    phi_3372_ = true;
                 }
-                let _e2781 = phi_3367_;
-                if _e2781 {
+                let _e2782 = phi_3372_;
+                if _e2782 {
                 }
-                phi_3371_ = _e2781;
+                phi_3376_ = _e2782;
             }
-            let _e2783 = phi_3371_;
-            phi_3372_ = _e218;
-            phi_3373_ = _e2783;
-        } else {
-            phi_3372_ = true;
-            phi_3373_ = false;
-        }
-        let _e2785 = phi_3372_;
-        let _e2787 = phi_3373_;
-        if _e2785 {
-            phi_3377_ = false;
-            phi_3378_ = true;
+            let _e2784 = phi_3376_;
+            phi_3377_ = _e219;
+            phi_3378_ = _e2784;
         } else {
             phi_3377_ = true;
-            phi_3378_ = _e2787;
+            phi_3378_ = false;
         }
-        let _e2789 = phi_3377_;
-        let _e2791 = phi_3378_;
-        if _e2791 {
-            phi_3382_ = _e2789;
-        } else {
+        let _e2786 = phi_3377_;
+        let _e2788 = phi_3378_;
+        if _e2786 {
             phi_3382_ = false;
-        }
-        let _e2793 = phi_3382_;
-        if _e2793 {
-            phi_3386_ = 0f;
+            phi_3383_ = true;
         } else {
-            phi_3386_ = 1f;
+            phi_3382_ = true;
+            phi_3383_ = _e2788;
         }
-        let _e2795 = phi_3386_;
-        if (_e114 < _e83) {
+        let _e2790 = phi_3382_;
+        let _e2792 = phi_3383_;
+        if _e2792 {
+            phi_3387_ = _e2790;
         } else {
-            return;
+            phi_3387_ = false;
         }
-        visibility.member[(0u + _e114)] = _e2795;
-        if (_e114 < _e89) {
+        let _e2794 = phi_3387_;
+        if _e2794 {
+            phi_3391_ = 0f;
         } else {
-            return;
+            phi_3391_ = 1f;
         }
-        let _e2802 = bits.member[(0u + _e114)];
-        if ((_e2802 & 2u) == 0u) {
-            phi_3407_ = (_e2802 & 1u);
-        } else {
-            phi_3407_ = (_e2802 & 7u);
-        }
-        let _e2808 = phi_3407_;
-        if (_e114 < _e83) {
+        let _e2796 = phi_3391_;
+        if (_e115 < _e84) {
         } else {
             return;
         }
-        let _e2812 = visibility.member[(0u + _e114)];
-        if ((_e2808 & 1u) != 0u) {
-            phi_3422_ = (2u | 1u);
-        } else {
-            phi_3422_ = 2u;
-        }
-        let _e2818 = phi_3422_;
-        if (_e2812 < 0.5f) {
-            phi_3427_ = (_e2818 | 4u);
-        } else {
-            phi_3427_ = _e2818;
-        }
-        let _e2821 = phi_3427_;
-        if (_e114 < _e89) {
+        visibility.member[(0u + _e115)] = _e2796;
+        let _e2802 = p.member.light.number;
+        let _e2803 = (_e2802 * 3u);
+        let _e2804 = (_e2803 / 32u);
+        let _e2805 = (_e2803 % 32u);
+        let _e2807 = p.member.light.mask_words;
+        if (_e115 < _e84) {
         } else {
             return;
         }
-        bits.member[(0u + _e114)] = _e2821;
+        let _e2811 = visibility.member[(0u + _e115)];
+        let _e2813 = ((_e115 * _e2807) + _e2804);
+        if (_e2805 > 29u) {
+            let _e2815 = (_e2813 + 1u);
+            if (_e2815 < _e90) {
+            } else {
+                return;
+            }
+            let _e2819 = bits.member[(0u + _e2815)];
+            phi_3432_ = _e2819;
+        } else {
+            phi_3432_ = 0u;
+        }
+        let _e2821 = phi_3432_;
+        if (_e2813 < _e90) {
+        } else {
+            return;
+        }
+        let _e2825 = bits.member[(0u + _e2813)];
+        let _e2828 = (_e2825 >> bitcast<u32>((_e2805 & 31u)));
+        if (_e2805 > 29u) {
+            phi_3451_ = (_e2828 | (_e2821 << bitcast<u32>(((32u - _e2805) & 31u))));
+        } else {
+            phi_3451_ = _e2828;
+        }
+        let _e2836 = phi_3451_;
+        if ((_e2836 & 2u) == 0u) {
+            phi_3459_ = (_e2836 & 1u);
+        } else {
+            phi_3459_ = (_e2836 & 7u);
+        }
+        let _e2842 = phi_3459_;
+        if ((_e2842 & 1u) != 0u) {
+            phi_3467_ = (2u | 1u);
+        } else {
+            phi_3467_ = 2u;
+        }
+        let _e2848 = phi_3467_;
+        if (_e2811 < 0.5f) {
+            phi_3472_ = (_e2848 | 4u);
+        } else {
+            phi_3472_ = _e2848;
+        }
+        let _e2851 = phi_3472_;
+        let _e2853 = ((_e115 * _e2807) + _e2804);
+        if (_e2853 < _e90) {
+        } else {
+            return;
+        }
+        let _e2857 = bits.member[(0u + _e2853)];
+        if (_e2853 < _e90) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e2853)] = ((_e2857 & ~((7u << bitcast<u32>((_e2805 & 31u))))) | (_e2851 << bitcast<u32>((_e2805 & 31u))));
+        if (_e2805 > 29u) {
+            let _e2871 = (_e2853 + 1u);
+            if (_e2871 < _e90) {
+            } else {
+                return;
+            }
+            let _e2875 = bits.member[(0u + _e2871)];
+            let _e2876 = (32u - _e2805);
+            let _e2886 = (_e2853 + 1u);
+            if (_e2886 < _e90) {
+            } else {
+                return;
+            }
+            bits.member[(0u + _e2886)] = ((_e2875 & ~((7u >> bitcast<u32>((_e2876 & 31u))))) | (_e2851 >> bitcast<u32>((_e2876 & 31u))));
+        }
     }
     return;
 }

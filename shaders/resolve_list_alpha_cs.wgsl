@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -125,8 +126,8 @@ struct type_48 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -1118,41 +1119,41 @@ fn function_() {
                         let _e575 = ((bitcast<f32>(_e568) - _e130) * _e305);
                         let _e583 = nodes.member[(0u + _e521)].x;
                         if (_e285 < 0f) {
-                            let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e583.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.unnamed.root, _e583.w), _e594.unnamed_1);
-                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_bvh_traverse_Tree(_e583.x, _e600.unnamed_1.first_primitive));
-                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e583.y));
+                            let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e583.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e594.unnamed.word, _e583.w), _e594.unnamed_1);
+                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_mask_LightPlace(_e583.x, _e600.unnamed_1.shift));
+                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_mask_LightPlace(_e606.unnamed_1.word, _e583.y));
                         } else {
-                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e583.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e622.unnamed.root, _e583.y), _e622.unnamed_1);
-                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_bvh_traverse_Tree(_e583.z, _e628.unnamed_1.first_primitive));
-                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e634.unnamed, lt_bvh_traverse_Tree(_e634.unnamed_1.root, _e583.w));
+                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e583.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e622.unnamed.word, _e583.y), _e622.unnamed_1);
+                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_mask_LightPlace(_e583.z, _e628.unnamed_1.shift));
+                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e634.unnamed, lt_mask_LightPlace(_e634.unnamed_1.word, _e583.w));
                         }
                         let _e642 = phi_1197_;
                         let _e652 = nodes.member[(0u + _e521)].y;
                         if (_e295 < 0f) {
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e652.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.unnamed.root, _e652.w), _e663.unnamed_1);
-                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e652.x, _e669.unnamed_1.first_primitive));
-                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e652.y));
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e652.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e663.unnamed.word, _e652.w), _e663.unnamed_1);
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_mask_LightPlace(_e652.x, _e669.unnamed_1.shift));
+                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_mask_LightPlace(_e675.unnamed_1.word, _e652.y));
                         } else {
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e652.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e691.unnamed.root, _e652.y), _e691.unnamed_1);
-                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e652.z, _e697.unnamed_1.first_primitive));
-                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_bvh_traverse_Tree(_e703.unnamed_1.root, _e652.w));
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e652.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e691.unnamed.word, _e652.y), _e691.unnamed_1);
+                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_mask_LightPlace(_e652.z, _e697.unnamed_1.shift));
+                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_mask_LightPlace(_e703.unnamed_1.word, _e652.w));
                         }
                         let _e711 = phi_1224_;
                         let _e721 = nodes.member[(0u + _e521)].z;
                         if (_e305 < 0f) {
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e721.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.unnamed.root, _e721.w), _e732.unnamed_1);
-                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e721.x, _e738.unnamed_1.first_primitive));
-                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e721.y));
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e721.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e732.unnamed.word, _e721.w), _e732.unnamed_1);
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_mask_LightPlace(_e721.x, _e738.unnamed_1.shift));
+                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_mask_LightPlace(_e744.unnamed_1.word, _e721.y));
                         } else {
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e721.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e760.unnamed.root, _e721.y), _e760.unnamed_1);
-                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e721.z, _e766.unnamed_1.first_primitive));
-                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_bvh_traverse_Tree(_e772.unnamed_1.root, _e721.w));
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e721.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e760.unnamed.word, _e721.y), _e760.unnamed_1);
+                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_mask_LightPlace(_e721.z, _e766.unnamed_1.shift));
+                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_mask_LightPlace(_e772.unnamed_1.word, _e721.w));
                         }
                         let _e780 = phi_1251_;
                         phi_1257_ = 0u;
@@ -1168,41 +1169,41 @@ fn function_() {
                                 let _e795 = (_e790 >> bitcast<u32>(2i));
                                 let _e796 = (_e790 & 3u);
                                 if (_e795 == 0u) {
-                                    phi_1274_ = _e642.unnamed.root;
+                                    phi_1274_ = _e642.unnamed.word;
                                 } else {
-                                    phi_1274_ = _e642.unnamed.first_primitive;
+                                    phi_1274_ = _e642.unnamed.shift;
                                 }
                                 let _e799 = phi_1274_;
                                 if (_e795 == 0u) {
-                                    phi_1284_ = _e711.unnamed.root;
+                                    phi_1284_ = _e711.unnamed.word;
                                 } else {
-                                    phi_1284_ = _e711.unnamed.first_primitive;
+                                    phi_1284_ = _e711.unnamed.shift;
                                 }
                                 let _e808 = phi_1284_;
                                 if (_e795 == 0u) {
-                                    phi_1294_ = _e780.unnamed.root;
+                                    phi_1294_ = _e780.unnamed.word;
                                 } else {
-                                    phi_1294_ = _e780.unnamed.first_primitive;
+                                    phi_1294_ = _e780.unnamed.shift;
                                 }
                                 let _e817 = phi_1294_;
                                 let _e830 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e799 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e555) + (_e573 - _e333)), ((f32(((_e808 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e556) + (_e574 - _e334)));
                                 let _e831 = core_intrinsics_maximum_number_nsz_f32_(_e830, ((f32(((_e817 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e557) + (_e575 - _e335)));
                                 if (_e795 == 0u) {
-                                    phi_1312_ = _e642.unnamed_1.root;
+                                    phi_1312_ = _e642.unnamed_1.word;
                                 } else {
-                                    phi_1312_ = _e642.unnamed_1.first_primitive;
+                                    phi_1312_ = _e642.unnamed_1.shift;
                                 }
                                 let _e834 = phi_1312_;
                                 if (_e795 == 0u) {
-                                    phi_1322_ = _e711.unnamed_1.root;
+                                    phi_1322_ = _e711.unnamed_1.word;
                                 } else {
-                                    phi_1322_ = _e711.unnamed_1.first_primitive;
+                                    phi_1322_ = _e711.unnamed_1.shift;
                                 }
                                 let _e843 = phi_1322_;
                                 if (_e795 == 0u) {
-                                    phi_1332_ = _e780.unnamed_1.root;
+                                    phi_1332_ = _e780.unnamed_1.word;
                                 } else {
-                                    phi_1332_ = _e780.unnamed_1.first_primitive;
+                                    phi_1332_ = _e780.unnamed_1.shift;
                                 }
                                 let _e852 = phi_1332_;
                                 let _e865 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e834 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e555) + (_e573 + _e333)), ((f32(((_e843 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e556) + (_e574 + _e334)));

@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -125,8 +126,8 @@ struct type_50 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -1193,41 +1194,41 @@ fn function_() {
                         let _e550 = ((bitcast<f32>(_e543) - _e136) * _e310);
                         let _e558 = nodes.member[(0u + _e496)].x;
                         if (_e290 < 0f) {
-                            let _e569 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e558.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e575 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e569.unnamed.root, _e558.w), _e569.unnamed_1);
-                            let _e581 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e575.unnamed, lt_bvh_traverse_Tree(_e558.x, _e575.unnamed_1.first_primitive));
-                            phi_1177_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e581.unnamed, lt_bvh_traverse_Tree(_e581.unnamed_1.root, _e558.y));
+                            let _e569 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e558.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e575 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e569.unnamed.word, _e558.w), _e569.unnamed_1);
+                            let _e581 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e575.unnamed, lt_mask_LightPlace(_e558.x, _e575.unnamed_1.shift));
+                            phi_1177_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e581.unnamed, lt_mask_LightPlace(_e581.unnamed_1.word, _e558.y));
                         } else {
-                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e558.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.unnamed.root, _e558.y), _e597.unnamed_1);
-                            let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e558.z, _e603.unnamed_1.first_primitive));
-                            phi_1177_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e609.unnamed, lt_bvh_traverse_Tree(_e609.unnamed_1.root, _e558.w));
+                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e558.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e597.unnamed.word, _e558.y), _e597.unnamed_1);
+                            let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_mask_LightPlace(_e558.z, _e603.unnamed_1.shift));
+                            phi_1177_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e609.unnamed, lt_mask_LightPlace(_e609.unnamed_1.word, _e558.w));
                         }
                         let _e617 = phi_1177_;
                         let _e627 = nodes.member[(0u + _e496)].y;
                         if (_e300 < 0f) {
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e627.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.unnamed.root, _e627.w), _e638.unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e627.x, _e644.unnamed_1.first_primitive));
-                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e650.unnamed_1.root, _e627.y));
+                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e627.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e638.unnamed.word, _e627.w), _e638.unnamed_1);
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_mask_LightPlace(_e627.x, _e644.unnamed_1.shift));
+                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_mask_LightPlace(_e650.unnamed_1.word, _e627.y));
                         } else {
-                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e627.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.unnamed.root, _e627.y), _e666.unnamed_1);
-                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e627.z, _e672.unnamed_1.first_primitive));
-                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_bvh_traverse_Tree(_e678.unnamed_1.root, _e627.w));
+                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e627.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e666.unnamed.word, _e627.y), _e666.unnamed_1);
+                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_mask_LightPlace(_e627.z, _e672.unnamed_1.shift));
+                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_mask_LightPlace(_e678.unnamed_1.word, _e627.w));
                         }
                         let _e686 = phi_1204_;
                         let _e696 = nodes.member[(0u + _e496)].z;
                         if (_e310 < 0f) {
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e696.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.unnamed.root, _e696.w), _e707.unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e696.x, _e713.unnamed_1.first_primitive));
-                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e719.unnamed_1.root, _e696.y));
+                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e696.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e707.unnamed.word, _e696.w), _e707.unnamed_1);
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_mask_LightPlace(_e696.x, _e713.unnamed_1.shift));
+                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_mask_LightPlace(_e719.unnamed_1.word, _e696.y));
                         } else {
-                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e696.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.unnamed.root, _e696.y), _e735.unnamed_1);
-                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e696.z, _e741.unnamed_1.first_primitive));
-                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_bvh_traverse_Tree(_e747.unnamed_1.root, _e696.w));
+                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e696.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e735.unnamed.word, _e696.y), _e735.unnamed_1);
+                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_mask_LightPlace(_e696.z, _e741.unnamed_1.shift));
+                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_mask_LightPlace(_e747.unnamed_1.word, _e696.w));
                         }
                         let _e755 = phi_1231_;
                         phi_1237_ = 0u;
@@ -1243,41 +1244,41 @@ fn function_() {
                                 let _e770 = (_e765 >> bitcast<u32>(2i));
                                 let _e771 = (_e765 & 3u);
                                 if (_e770 == 0u) {
-                                    phi_1254_ = _e617.unnamed.root;
+                                    phi_1254_ = _e617.unnamed.word;
                                 } else {
-                                    phi_1254_ = _e617.unnamed.first_primitive;
+                                    phi_1254_ = _e617.unnamed.shift;
                                 }
                                 let _e774 = phi_1254_;
                                 if (_e770 == 0u) {
-                                    phi_1264_ = _e686.unnamed.root;
+                                    phi_1264_ = _e686.unnamed.word;
                                 } else {
-                                    phi_1264_ = _e686.unnamed.first_primitive;
+                                    phi_1264_ = _e686.unnamed.shift;
                                 }
                                 let _e783 = phi_1264_;
                                 if (_e770 == 0u) {
-                                    phi_1274_ = _e755.unnamed.root;
+                                    phi_1274_ = _e755.unnamed.word;
                                 } else {
-                                    phi_1274_ = _e755.unnamed.first_primitive;
+                                    phi_1274_ = _e755.unnamed.shift;
                                 }
                                 let _e792 = phi_1274_;
                                 let _e805 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e774 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e530) + (_e548 - _e338)), ((f32(((_e783 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e339)));
                                 let _e806 = core_intrinsics_maximum_number_nsz_f32_(_e805, ((f32(((_e792 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e340)));
                                 if (_e770 == 0u) {
-                                    phi_1292_ = _e617.unnamed_1.root;
+                                    phi_1292_ = _e617.unnamed_1.word;
                                 } else {
-                                    phi_1292_ = _e617.unnamed_1.first_primitive;
+                                    phi_1292_ = _e617.unnamed_1.shift;
                                 }
                                 let _e809 = phi_1292_;
                                 if (_e770 == 0u) {
-                                    phi_1302_ = _e686.unnamed_1.root;
+                                    phi_1302_ = _e686.unnamed_1.word;
                                 } else {
-                                    phi_1302_ = _e686.unnamed_1.first_primitive;
+                                    phi_1302_ = _e686.unnamed_1.shift;
                                 }
                                 let _e818 = phi_1302_;
                                 if (_e770 == 0u) {
-                                    phi_1312_ = _e755.unnamed_1.root;
+                                    phi_1312_ = _e755.unnamed_1.word;
                                 } else {
-                                    phi_1312_ = _e755.unnamed_1.first_primitive;
+                                    phi_1312_ = _e755.unnamed_1.shift;
                                 }
                                 let _e827 = phi_1312_;
                                 let _e840 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e809 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e530) + (_e548 + _e338)), ((f32(((_e818 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e339)));
@@ -1771,41 +1772,41 @@ fn function_() {
                                                             let _e1515 = ((bitcast<f32>(_e1508) - _e1042) * _e1245);
                                                             let _e1523 = nodes.member[(0u + _e1461)].x;
                                                             if (_e1225 < 0f) {
-                                                                let _e1534 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1523.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1540 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1534.unnamed.root, _e1523.w), _e1534.unnamed_1);
-                                                                let _e1546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1540.unnamed, lt_bvh_traverse_Tree(_e1523.x, _e1540.unnamed_1.first_primitive));
-                                                                phi_2117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1546.unnamed, lt_bvh_traverse_Tree(_e1546.unnamed_1.root, _e1523.y));
+                                                                let _e1534 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1523.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1540 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1534.unnamed.word, _e1523.w), _e1534.unnamed_1);
+                                                                let _e1546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1540.unnamed, lt_mask_LightPlace(_e1523.x, _e1540.unnamed_1.shift));
+                                                                phi_2117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1546.unnamed, lt_mask_LightPlace(_e1546.unnamed_1.word, _e1523.y));
                                                             } else {
-                                                                let _e1562 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1523.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1568 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1562.unnamed.root, _e1523.y), _e1562.unnamed_1);
-                                                                let _e1574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1568.unnamed, lt_bvh_traverse_Tree(_e1523.z, _e1568.unnamed_1.first_primitive));
-                                                                phi_2117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1574.unnamed, lt_bvh_traverse_Tree(_e1574.unnamed_1.root, _e1523.w));
+                                                                let _e1562 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1523.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1568 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1562.unnamed.word, _e1523.y), _e1562.unnamed_1);
+                                                                let _e1574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1568.unnamed, lt_mask_LightPlace(_e1523.z, _e1568.unnamed_1.shift));
+                                                                phi_2117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1574.unnamed, lt_mask_LightPlace(_e1574.unnamed_1.word, _e1523.w));
                                                             }
                                                             let _e1582 = phi_2117_;
                                                             let _e1592 = nodes.member[(0u + _e1461)].y;
                                                             if (_e1235 < 0f) {
-                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1592.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1603.unnamed.root, _e1592.w), _e1603.unnamed_1);
-                                                                let _e1615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_bvh_traverse_Tree(_e1592.x, _e1609.unnamed_1.first_primitive));
-                                                                phi_2144_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1615.unnamed, lt_bvh_traverse_Tree(_e1615.unnamed_1.root, _e1592.y));
+                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1592.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1603.unnamed.word, _e1592.w), _e1603.unnamed_1);
+                                                                let _e1615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_mask_LightPlace(_e1592.x, _e1609.unnamed_1.shift));
+                                                                phi_2144_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1615.unnamed, lt_mask_LightPlace(_e1615.unnamed_1.word, _e1592.y));
                                                             } else {
-                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1592.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1631.unnamed.root, _e1592.y), _e1631.unnamed_1);
-                                                                let _e1643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_bvh_traverse_Tree(_e1592.z, _e1637.unnamed_1.first_primitive));
-                                                                phi_2144_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1643.unnamed, lt_bvh_traverse_Tree(_e1643.unnamed_1.root, _e1592.w));
+                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1592.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1631.unnamed.word, _e1592.y), _e1631.unnamed_1);
+                                                                let _e1643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_mask_LightPlace(_e1592.z, _e1637.unnamed_1.shift));
+                                                                phi_2144_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1643.unnamed, lt_mask_LightPlace(_e1643.unnamed_1.word, _e1592.w));
                                                             }
                                                             let _e1651 = phi_2144_;
                                                             let _e1661 = nodes.member[(0u + _e1461)].z;
                                                             if (_e1245 < 0f) {
-                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1661.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1672.unnamed.root, _e1661.w), _e1672.unnamed_1);
-                                                                let _e1684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_bvh_traverse_Tree(_e1661.x, _e1678.unnamed_1.first_primitive));
-                                                                phi_2171_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1684.unnamed, lt_bvh_traverse_Tree(_e1684.unnamed_1.root, _e1661.y));
+                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1661.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1672.unnamed.word, _e1661.w), _e1672.unnamed_1);
+                                                                let _e1684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_mask_LightPlace(_e1661.x, _e1678.unnamed_1.shift));
+                                                                phi_2171_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1684.unnamed, lt_mask_LightPlace(_e1684.unnamed_1.word, _e1661.y));
                                                             } else {
-                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1661.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1700.unnamed.root, _e1661.y), _e1700.unnamed_1);
-                                                                let _e1712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_bvh_traverse_Tree(_e1661.z, _e1706.unnamed_1.first_primitive));
-                                                                phi_2171_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1712.unnamed, lt_bvh_traverse_Tree(_e1712.unnamed_1.root, _e1661.w));
+                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1661.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1700.unnamed.word, _e1661.y), _e1700.unnamed_1);
+                                                                let _e1712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_mask_LightPlace(_e1661.z, _e1706.unnamed_1.shift));
+                                                                phi_2171_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1712.unnamed, lt_mask_LightPlace(_e1712.unnamed_1.word, _e1661.w));
                                                             }
                                                             let _e1720 = phi_2171_;
                                                             phi_2177_ = 0u;
@@ -1821,41 +1822,41 @@ fn function_() {
                                                                     let _e1735 = (_e1730 >> bitcast<u32>(2i));
                                                                     let _e1736 = (_e1730 & 3u);
                                                                     if (_e1735 == 0u) {
-                                                                        phi_2194_ = _e1582.unnamed.root;
+                                                                        phi_2194_ = _e1582.unnamed.word;
                                                                     } else {
-                                                                        phi_2194_ = _e1582.unnamed.first_primitive;
+                                                                        phi_2194_ = _e1582.unnamed.shift;
                                                                     }
                                                                     let _e1739 = phi_2194_;
                                                                     if (_e1735 == 0u) {
-                                                                        phi_2204_ = _e1651.unnamed.root;
+                                                                        phi_2204_ = _e1651.unnamed.word;
                                                                     } else {
-                                                                        phi_2204_ = _e1651.unnamed.first_primitive;
+                                                                        phi_2204_ = _e1651.unnamed.shift;
                                                                     }
                                                                     let _e1748 = phi_2204_;
                                                                     if (_e1735 == 0u) {
-                                                                        phi_2214_ = _e1720.unnamed.root;
+                                                                        phi_2214_ = _e1720.unnamed.word;
                                                                     } else {
-                                                                        phi_2214_ = _e1720.unnamed.first_primitive;
+                                                                        phi_2214_ = _e1720.unnamed.shift;
                                                                     }
                                                                     let _e1757 = phi_2214_;
                                                                     let _e1770 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1739 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 - _e1273)), ((f32(((_e1748 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1496) + (_e1514 - _e1274)));
                                                                     let _e1771 = core_intrinsics_maximum_number_nsz_f32_(_e1770, ((f32(((_e1757 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1497) + (_e1515 - _e1275)));
                                                                     if (_e1735 == 0u) {
-                                                                        phi_2232_ = _e1582.unnamed_1.root;
+                                                                        phi_2232_ = _e1582.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2232_ = _e1582.unnamed_1.first_primitive;
+                                                                        phi_2232_ = _e1582.unnamed_1.shift;
                                                                     }
                                                                     let _e1774 = phi_2232_;
                                                                     if (_e1735 == 0u) {
-                                                                        phi_2242_ = _e1651.unnamed_1.root;
+                                                                        phi_2242_ = _e1651.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2242_ = _e1651.unnamed_1.first_primitive;
+                                                                        phi_2242_ = _e1651.unnamed_1.shift;
                                                                     }
                                                                     let _e1783 = phi_2242_;
                                                                     if (_e1735 == 0u) {
-                                                                        phi_2252_ = _e1720.unnamed_1.root;
+                                                                        phi_2252_ = _e1720.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2252_ = _e1720.unnamed_1.first_primitive;
+                                                                        phi_2252_ = _e1720.unnamed_1.shift;
                                                                     }
                                                                     let _e1792 = phi_2252_;
                                                                     let _e1805 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1774 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 + _e1273)), ((f32(((_e1783 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1496) + (_e1514 + _e1274)));

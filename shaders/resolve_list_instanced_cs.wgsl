@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -91,8 +92,8 @@ struct type_41 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -778,41 +779,41 @@ fn function_() {
                         let _e525 = ((bitcast<f32>(_e518) - _e111) * _e285);
                         let _e533 = nodes.member[(0u + _e471)].x;
                         if (_e265 < 0f) {
-                            let _e544 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e533.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e550 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e544.unnamed.root, _e533.w), _e544.unnamed_1);
-                            let _e556 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e550.unnamed, lt_bvh_traverse_Tree(_e533.x, _e550.unnamed_1.first_primitive));
-                            phi_746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e556.unnamed, lt_bvh_traverse_Tree(_e556.unnamed_1.root, _e533.y));
+                            let _e544 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e533.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e550 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e544.unnamed.word, _e533.w), _e544.unnamed_1);
+                            let _e556 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e550.unnamed, lt_mask_LightPlace(_e533.x, _e550.unnamed_1.shift));
+                            phi_746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e556.unnamed, lt_mask_LightPlace(_e556.unnamed_1.word, _e533.y));
                         } else {
-                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e533.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e572.unnamed.root, _e533.y), _e572.unnamed_1);
-                            let _e584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e533.z, _e578.unnamed_1.first_primitive));
-                            phi_746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e584.unnamed, lt_bvh_traverse_Tree(_e584.unnamed_1.root, _e533.w));
+                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e533.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e572.unnamed.word, _e533.y), _e572.unnamed_1);
+                            let _e584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_mask_LightPlace(_e533.z, _e578.unnamed_1.shift));
+                            phi_746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e584.unnamed, lt_mask_LightPlace(_e584.unnamed_1.word, _e533.w));
                         }
                         let _e592 = phi_746_;
                         let _e602 = nodes.member[(0u + _e471)].y;
                         if (_e275 < 0f) {
-                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e613.unnamed.root, _e602.w), _e613.unnamed_1);
-                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_bvh_traverse_Tree(_e602.x, _e619.unnamed_1.first_primitive));
-                            phi_773_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e625.unnamed_1.root, _e602.y));
+                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e613.unnamed.word, _e602.w), _e613.unnamed_1);
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_mask_LightPlace(_e602.x, _e619.unnamed_1.shift));
+                            phi_773_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_mask_LightPlace(_e625.unnamed_1.word, _e602.y));
                         } else {
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e602.y), _e641.unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e602.z, _e647.unnamed_1.first_primitive));
-                            phi_773_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e602.w));
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.unnamed.word, _e602.y), _e641.unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_mask_LightPlace(_e602.z, _e647.unnamed_1.shift));
+                            phi_773_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e653.unnamed_1.word, _e602.w));
                         }
                         let _e661 = phi_773_;
                         let _e671 = nodes.member[(0u + _e471)].z;
                         if (_e285 < 0f) {
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e682.unnamed.root, _e671.w), _e682.unnamed_1);
-                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_bvh_traverse_Tree(_e671.x, _e688.unnamed_1.first_primitive));
-                            phi_800_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e694.unnamed_1.root, _e671.y));
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e682.unnamed.word, _e671.w), _e682.unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e671.x, _e688.unnamed_1.shift));
+                            phi_800_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_mask_LightPlace(_e694.unnamed_1.word, _e671.y));
                         } else {
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e671.y), _e710.unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e671.z, _e716.unnamed_1.first_primitive));
-                            phi_800_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e671.w));
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.unnamed.word, _e671.y), _e710.unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_mask_LightPlace(_e671.z, _e716.unnamed_1.shift));
+                            phi_800_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e722.unnamed_1.word, _e671.w));
                         }
                         let _e730 = phi_800_;
                         phi_806_ = 0u;
@@ -828,41 +829,41 @@ fn function_() {
                                 let _e745 = (_e740 >> bitcast<u32>(2i));
                                 let _e746 = (_e740 & 3u);
                                 if (_e745 == 0u) {
-                                    phi_823_ = _e592.unnamed.root;
+                                    phi_823_ = _e592.unnamed.word;
                                 } else {
-                                    phi_823_ = _e592.unnamed.first_primitive;
+                                    phi_823_ = _e592.unnamed.shift;
                                 }
                                 let _e749 = phi_823_;
                                 if (_e745 == 0u) {
-                                    phi_833_ = _e661.unnamed.root;
+                                    phi_833_ = _e661.unnamed.word;
                                 } else {
-                                    phi_833_ = _e661.unnamed.first_primitive;
+                                    phi_833_ = _e661.unnamed.shift;
                                 }
                                 let _e758 = phi_833_;
                                 if (_e745 == 0u) {
-                                    phi_843_ = _e730.unnamed.root;
+                                    phi_843_ = _e730.unnamed.word;
                                 } else {
-                                    phi_843_ = _e730.unnamed.first_primitive;
+                                    phi_843_ = _e730.unnamed.shift;
                                 }
                                 let _e767 = phi_843_;
                                 let _e780 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e749 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e505) + (_e523 - _e313)), ((f32(((_e758 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e506) + (_e524 - _e314)));
                                 let _e781 = core_intrinsics_maximum_number_nsz_f32_(_e780, ((f32(((_e767 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e507) + (_e525 - _e315)));
                                 if (_e745 == 0u) {
-                                    phi_861_ = _e592.unnamed_1.root;
+                                    phi_861_ = _e592.unnamed_1.word;
                                 } else {
-                                    phi_861_ = _e592.unnamed_1.first_primitive;
+                                    phi_861_ = _e592.unnamed_1.shift;
                                 }
                                 let _e784 = phi_861_;
                                 if (_e745 == 0u) {
-                                    phi_871_ = _e661.unnamed_1.root;
+                                    phi_871_ = _e661.unnamed_1.word;
                                 } else {
-                                    phi_871_ = _e661.unnamed_1.first_primitive;
+                                    phi_871_ = _e661.unnamed_1.shift;
                                 }
                                 let _e793 = phi_871_;
                                 if (_e745 == 0u) {
-                                    phi_881_ = _e730.unnamed_1.root;
+                                    phi_881_ = _e730.unnamed_1.word;
                                 } else {
-                                    phi_881_ = _e730.unnamed_1.first_primitive;
+                                    phi_881_ = _e730.unnamed_1.shift;
                                 }
                                 let _e802 = phi_881_;
                                 let _e815 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e784 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e505) + (_e523 + _e313)), ((f32(((_e793 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e506) + (_e524 + _e314)));
@@ -1356,41 +1357,41 @@ fn function_() {
                                                             let _e1490 = ((bitcast<f32>(_e1483) - _e1017) * _e1220);
                                                             let _e1498 = nodes.member[(0u + _e1436)].x;
                                                             if (_e1200 < 0f) {
-                                                                let _e1509 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1498.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1515 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1509.unnamed.root, _e1498.w), _e1509.unnamed_1);
-                                                                let _e1521 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1515.unnamed, lt_bvh_traverse_Tree(_e1498.x, _e1515.unnamed_1.first_primitive));
-                                                                phi_1686_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1521.unnamed, lt_bvh_traverse_Tree(_e1521.unnamed_1.root, _e1498.y));
+                                                                let _e1509 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1498.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1515 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1509.unnamed.word, _e1498.w), _e1509.unnamed_1);
+                                                                let _e1521 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1515.unnamed, lt_mask_LightPlace(_e1498.x, _e1515.unnamed_1.shift));
+                                                                phi_1686_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1521.unnamed, lt_mask_LightPlace(_e1521.unnamed_1.word, _e1498.y));
                                                             } else {
-                                                                let _e1537 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1498.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1543 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1537.unnamed.root, _e1498.y), _e1537.unnamed_1);
-                                                                let _e1549 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1543.unnamed, lt_bvh_traverse_Tree(_e1498.z, _e1543.unnamed_1.first_primitive));
-                                                                phi_1686_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1549.unnamed, lt_bvh_traverse_Tree(_e1549.unnamed_1.root, _e1498.w));
+                                                                let _e1537 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1498.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1543 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1537.unnamed.word, _e1498.y), _e1537.unnamed_1);
+                                                                let _e1549 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1543.unnamed, lt_mask_LightPlace(_e1498.z, _e1543.unnamed_1.shift));
+                                                                phi_1686_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1549.unnamed, lt_mask_LightPlace(_e1549.unnamed_1.word, _e1498.w));
                                                             }
                                                             let _e1557 = phi_1686_;
                                                             let _e1567 = nodes.member[(0u + _e1436)].y;
                                                             if (_e1210 < 0f) {
-                                                                let _e1578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1567.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1578.unnamed.root, _e1567.w), _e1578.unnamed_1);
-                                                                let _e1590 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1584.unnamed, lt_bvh_traverse_Tree(_e1567.x, _e1584.unnamed_1.first_primitive));
-                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1590.unnamed, lt_bvh_traverse_Tree(_e1590.unnamed_1.root, _e1567.y));
+                                                                let _e1578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1567.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1578.unnamed.word, _e1567.w), _e1578.unnamed_1);
+                                                                let _e1590 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1584.unnamed, lt_mask_LightPlace(_e1567.x, _e1584.unnamed_1.shift));
+                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1590.unnamed, lt_mask_LightPlace(_e1590.unnamed_1.word, _e1567.y));
                                                             } else {
-                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1567.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1606.unnamed.root, _e1567.y), _e1606.unnamed_1);
-                                                                let _e1618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1567.z, _e1612.unnamed_1.first_primitive));
-                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1618.unnamed, lt_bvh_traverse_Tree(_e1618.unnamed_1.root, _e1567.w));
+                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1567.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1606.unnamed.word, _e1567.y), _e1606.unnamed_1);
+                                                                let _e1618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_mask_LightPlace(_e1567.z, _e1612.unnamed_1.shift));
+                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1618.unnamed, lt_mask_LightPlace(_e1618.unnamed_1.word, _e1567.w));
                                                             }
                                                             let _e1626 = phi_1713_;
                                                             let _e1636 = nodes.member[(0u + _e1436)].z;
                                                             if (_e1220 < 0f) {
-                                                                let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1636.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1647.unnamed.root, _e1636.w), _e1647.unnamed_1);
-                                                                let _e1659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1653.unnamed, lt_bvh_traverse_Tree(_e1636.x, _e1653.unnamed_1.first_primitive));
-                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1659.unnamed, lt_bvh_traverse_Tree(_e1659.unnamed_1.root, _e1636.y));
+                                                                let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1636.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1647.unnamed.word, _e1636.w), _e1647.unnamed_1);
+                                                                let _e1659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1653.unnamed, lt_mask_LightPlace(_e1636.x, _e1653.unnamed_1.shift));
+                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1659.unnamed, lt_mask_LightPlace(_e1659.unnamed_1.word, _e1636.y));
                                                             } else {
-                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1636.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1675.unnamed.root, _e1636.y), _e1675.unnamed_1);
-                                                                let _e1687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1636.z, _e1681.unnamed_1.first_primitive));
-                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1687.unnamed, lt_bvh_traverse_Tree(_e1687.unnamed_1.root, _e1636.w));
+                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1636.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1675.unnamed.word, _e1636.y), _e1675.unnamed_1);
+                                                                let _e1687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_mask_LightPlace(_e1636.z, _e1681.unnamed_1.shift));
+                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1687.unnamed, lt_mask_LightPlace(_e1687.unnamed_1.word, _e1636.w));
                                                             }
                                                             let _e1695 = phi_1740_;
                                                             phi_1746_ = 0u;
@@ -1406,41 +1407,41 @@ fn function_() {
                                                                     let _e1710 = (_e1705 >> bitcast<u32>(2i));
                                                                     let _e1711 = (_e1705 & 3u);
                                                                     if (_e1710 == 0u) {
-                                                                        phi_1763_ = _e1557.unnamed.root;
+                                                                        phi_1763_ = _e1557.unnamed.word;
                                                                     } else {
-                                                                        phi_1763_ = _e1557.unnamed.first_primitive;
+                                                                        phi_1763_ = _e1557.unnamed.shift;
                                                                     }
                                                                     let _e1714 = phi_1763_;
                                                                     if (_e1710 == 0u) {
-                                                                        phi_1773_ = _e1626.unnamed.root;
+                                                                        phi_1773_ = _e1626.unnamed.word;
                                                                     } else {
-                                                                        phi_1773_ = _e1626.unnamed.first_primitive;
+                                                                        phi_1773_ = _e1626.unnamed.shift;
                                                                     }
                                                                     let _e1723 = phi_1773_;
                                                                     if (_e1710 == 0u) {
-                                                                        phi_1783_ = _e1695.unnamed.root;
+                                                                        phi_1783_ = _e1695.unnamed.word;
                                                                     } else {
-                                                                        phi_1783_ = _e1695.unnamed.first_primitive;
+                                                                        phi_1783_ = _e1695.unnamed.shift;
                                                                     }
                                                                     let _e1732 = phi_1783_;
                                                                     let _e1745 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1714 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 - _e1248)), ((f32(((_e1723 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1471) + (_e1489 - _e1249)));
                                                                     let _e1746 = core_intrinsics_maximum_number_nsz_f32_(_e1745, ((f32(((_e1732 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1472) + (_e1490 - _e1250)));
                                                                     if (_e1710 == 0u) {
-                                                                        phi_1801_ = _e1557.unnamed_1.root;
+                                                                        phi_1801_ = _e1557.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1801_ = _e1557.unnamed_1.first_primitive;
+                                                                        phi_1801_ = _e1557.unnamed_1.shift;
                                                                     }
                                                                     let _e1749 = phi_1801_;
                                                                     if (_e1710 == 0u) {
-                                                                        phi_1811_ = _e1626.unnamed_1.root;
+                                                                        phi_1811_ = _e1626.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1811_ = _e1626.unnamed_1.first_primitive;
+                                                                        phi_1811_ = _e1626.unnamed_1.shift;
                                                                     }
                                                                     let _e1758 = phi_1811_;
                                                                     if (_e1710 == 0u) {
-                                                                        phi_1821_ = _e1695.unnamed_1.root;
+                                                                        phi_1821_ = _e1695.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1821_ = _e1695.unnamed_1.first_primitive;
+                                                                        phi_1821_ = _e1695.unnamed_1.shift;
                                                                     }
                                                                     let _e1767 = phi_1821_;
                                                                     let _e1780 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1749 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 + _e1248)), ((f32(((_e1758 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1471) + (_e1489 + _e1249)));

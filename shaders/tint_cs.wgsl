@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -139,8 +140,8 @@ struct type_59 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -184,19 +185,19 @@ var<storage> alpha_texels: type_13;
 @group(0) @binding(9) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_223_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_223_: lt_mask_LightPlace;
     var phi_224_: bool;
-    var phi_225_: lt_bvh_traverse_Tree;
+    var phi_225_: lt_mask_LightPlace;
     var phi_226_: bool;
-    var phi_231_: lt_bvh_traverse_Tree;
+    var phi_231_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_223_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_223_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_224_ = false;
         } else {
-            phi_223_ = lt_bvh_traverse_Tree();
+            phi_223_ = lt_mask_LightPlace();
             phi_224_ = true;
         }
         let _e86 = phi_223_;
@@ -204,18 +205,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_225_ = _e86;
         phi_226_ = _e88;
     } else {
-        phi_225_ = lt_bvh_traverse_Tree();
+        phi_225_ = lt_mask_LightPlace();
         phi_226_ = true;
     }
     let _e90 = phi_225_;
     let _e92 = phi_226_;
     if _e92 {
-        phi_231_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_231_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_231_ = _e90;
     }
     let _e97 = phi_231_;
-    return lt_bvh_traverse_Tree(_e97.root, _e97.first_primitive);
+    return lt_mask_LightPlace(_e97.word, _e97.shift);
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
@@ -845,24 +846,24 @@ fn function_() {
     let _e107 = p.member.size[0u];
     let _e109 = p.member.size[1u];
     let _e110 = lt_shaders_entry_pixel_index(_e76, _e107, _e109);
-    if (bitcast<i32>(_e110.root) != 0i) {
-        if (_e110.first_primitive < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e110.word) != 0i) {
+        if (_e110.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        if (_e110.first_primitive < arrayLength((&visibility.member))) {
+        if (_e110.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        let _e122 = visibility.member[(0u + _e110.first_primitive)];
+        let _e122 = visibility.member[(0u + _e110.shift)];
         if (_e122 > 0f) {
-            let _e126 = samples.member[(0u + _e110.first_primitive)].normal[0u];
+            let _e126 = samples.member[(0u + _e110.shift)].normal[0u];
             let _e128 = global[0u];
             if (_e126 == _e128) {
-                let _e131 = samples.member[(0u + _e110.first_primitive)].normal[1u];
+                let _e131 = samples.member[(0u + _e110.shift)].normal[1u];
                 let _e133 = global[1u];
                 if (_e131 == _e133) {
-                    let _e136 = samples.member[(0u + _e110.first_primitive)].normal[2u];
+                    let _e136 = samples.member[(0u + _e110.shift)].normal[2u];
                     let _e138 = global[2u];
                     phi_322_ = (_e136 == _e138);
                     phi_323_ = false;
@@ -887,13 +888,13 @@ fn function_() {
             }
             let _e149 = phi_329_;
             if !(_e149) {
-                let _e152 = samples.member[(0u + _e110.first_primitive)].position;
+                let _e152 = samples.member[(0u + _e110.shift)].position;
                 let _e154 = p.member.light.place;
                 let _e160 = p.member.light.place[3u];
                 let _e167 = (_e154.x - (_e152.x * _e160));
                 let _e168 = (_e154.y - (_e152.y * _e160));
                 let _e169 = (_e154.z - (_e152.z * _e160));
-                let _e171 = samples.member[(0u + _e110.first_primitive)].normal;
+                let _e171 = samples.member[(0u + _e110.shift)].normal;
                 if ((((_e171.x * _e167) + (_e171.y * _e168)) + (_e171.z * _e169)) > 0f) {
                     let _e185 = (((_e167 * _e167) + (_e168 * _e168)) + (_e169 * _e169));
                     let _e187 = p.member.light.axis;
@@ -913,7 +914,7 @@ fn function_() {
                     }
                     let _e212 = phi_400_;
                     if _e212 {
-                        let _e214 = samples.member[(0u + _e110.first_primitive)].flags;
+                        let _e214 = samples.member[(0u + _e110.shift)].flags;
                         let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                         let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
                         phi_411_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, ((_e214 & 1u) == 0u));
@@ -953,9 +954,9 @@ fn function_() {
         }
         let _e277 = phi_428_;
         if _e277 {
-            let _e279 = samples.member[(0u + _e110.first_primitive)].position;
-            let _e281 = samples.member[(0u + _e110.first_primitive)].normal;
-            let _e283 = samples.member[(0u + _e110.first_primitive)].magnitude;
+            let _e279 = samples.member[(0u + _e110.shift)].position;
+            let _e281 = samples.member[(0u + _e110.shift)].normal;
+            let _e283 = samples.member[(0u + _e110.shift)].magnitude;
             let _e285 = ((8f / 8388608f) * _e283);
             let _e293 = (_e279.x + (_e281.x * _e285));
             let _e295 = (_e279.y + (_e281.y * _e285));
@@ -1292,41 +1293,41 @@ fn function_() {
                             let _e742 = ((bitcast<f32>(_e735) - _e297) * _e472);
                             let _e750 = nodes.member[(0u + _e688)].x;
                             if (_e452 < 0f) {
-                                let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e750.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e761.unnamed.root, _e750.w), _e761.unnamed_1);
-                                let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_bvh_traverse_Tree(_e750.x, _e767.unnamed_1.first_primitive));
-                                phi_979_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_bvh_traverse_Tree(_e773.unnamed_1.root, _e750.y));
+                                let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e750.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e761.unnamed.word, _e750.w), _e761.unnamed_1);
+                                let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_mask_LightPlace(_e750.x, _e767.unnamed_1.shift));
+                                phi_979_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_mask_LightPlace(_e773.unnamed_1.word, _e750.y));
                             } else {
-                                let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e750.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e789.unnamed.root, _e750.y), _e789.unnamed_1);
-                                let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_bvh_traverse_Tree(_e750.z, _e795.unnamed_1.first_primitive));
-                                phi_979_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_bvh_traverse_Tree(_e801.unnamed_1.root, _e750.w));
+                                let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e750.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e789.unnamed.word, _e750.y), _e789.unnamed_1);
+                                let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_mask_LightPlace(_e750.z, _e795.unnamed_1.shift));
+                                phi_979_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e801.unnamed_1.word, _e750.w));
                             }
                             let _e809 = phi_979_;
                             let _e819 = nodes.member[(0u + _e688)].y;
                             if (_e462 < 0f) {
-                                let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e819.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e830.unnamed.root, _e819.w), _e830.unnamed_1);
-                                let _e842 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e836.unnamed, lt_bvh_traverse_Tree(_e819.x, _e836.unnamed_1.first_primitive));
-                                phi_1006_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e842.unnamed, lt_bvh_traverse_Tree(_e842.unnamed_1.root, _e819.y));
+                                let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e819.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e830.unnamed.word, _e819.w), _e830.unnamed_1);
+                                let _e842 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e836.unnamed, lt_mask_LightPlace(_e819.x, _e836.unnamed_1.shift));
+                                phi_1006_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e842.unnamed, lt_mask_LightPlace(_e842.unnamed_1.word, _e819.y));
                             } else {
-                                let _e858 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e819.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e864 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e858.unnamed.root, _e819.y), _e858.unnamed_1);
-                                let _e870 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e864.unnamed, lt_bvh_traverse_Tree(_e819.z, _e864.unnamed_1.first_primitive));
-                                phi_1006_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e870.unnamed, lt_bvh_traverse_Tree(_e870.unnamed_1.root, _e819.w));
+                                let _e858 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e819.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e864 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e858.unnamed.word, _e819.y), _e858.unnamed_1);
+                                let _e870 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e864.unnamed, lt_mask_LightPlace(_e819.z, _e864.unnamed_1.shift));
+                                phi_1006_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e870.unnamed, lt_mask_LightPlace(_e870.unnamed_1.word, _e819.w));
                             }
                             let _e878 = phi_1006_;
                             let _e888 = nodes.member[(0u + _e688)].z;
                             if (_e472 < 0f) {
-                                let _e899 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e888.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e905 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e899.unnamed.root, _e888.w), _e899.unnamed_1);
-                                let _e911 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e905.unnamed, lt_bvh_traverse_Tree(_e888.x, _e905.unnamed_1.first_primitive));
-                                phi_1033_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e911.unnamed, lt_bvh_traverse_Tree(_e911.unnamed_1.root, _e888.y));
+                                let _e899 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e888.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e905 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e899.unnamed.word, _e888.w), _e899.unnamed_1);
+                                let _e911 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e905.unnamed, lt_mask_LightPlace(_e888.x, _e905.unnamed_1.shift));
+                                phi_1033_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e911.unnamed, lt_mask_LightPlace(_e911.unnamed_1.word, _e888.y));
                             } else {
-                                let _e927 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e888.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e933 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e927.unnamed.root, _e888.y), _e927.unnamed_1);
-                                let _e939 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e933.unnamed, lt_bvh_traverse_Tree(_e888.z, _e933.unnamed_1.first_primitive));
-                                phi_1033_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e939.unnamed, lt_bvh_traverse_Tree(_e939.unnamed_1.root, _e888.w));
+                                let _e927 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e888.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e933 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e927.unnamed.word, _e888.y), _e927.unnamed_1);
+                                let _e939 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e933.unnamed, lt_mask_LightPlace(_e888.z, _e933.unnamed_1.shift));
+                                phi_1033_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e939.unnamed, lt_mask_LightPlace(_e939.unnamed_1.word, _e888.w));
                             }
                             let _e947 = phi_1033_;
                             phi_1039_ = 0u;
@@ -1342,41 +1343,41 @@ fn function_() {
                                     let _e962 = (_e957 >> bitcast<u32>(2i));
                                     let _e963 = (_e957 & 3u);
                                     if (_e962 == 0u) {
-                                        phi_1056_ = _e809.unnamed.root;
+                                        phi_1056_ = _e809.unnamed.word;
                                     } else {
-                                        phi_1056_ = _e809.unnamed.first_primitive;
+                                        phi_1056_ = _e809.unnamed.shift;
                                     }
                                     let _e966 = phi_1056_;
                                     if (_e962 == 0u) {
-                                        phi_1066_ = _e878.unnamed.root;
+                                        phi_1066_ = _e878.unnamed.word;
                                     } else {
-                                        phi_1066_ = _e878.unnamed.first_primitive;
+                                        phi_1066_ = _e878.unnamed.shift;
                                     }
                                     let _e975 = phi_1066_;
                                     if (_e962 == 0u) {
-                                        phi_1076_ = _e947.unnamed.root;
+                                        phi_1076_ = _e947.unnamed.word;
                                     } else {
-                                        phi_1076_ = _e947.unnamed.first_primitive;
+                                        phi_1076_ = _e947.unnamed.shift;
                                     }
                                     let _e984 = phi_1076_;
                                     let _e997 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e966 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u)) * _e722) + (_e740 - _e500)), ((f32(((_e975 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u)) * _e723) + (_e741 - _e501)));
                                     let _e998 = core_intrinsics_maximum_number_nsz_f32_(_e997, ((f32(((_e984 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u)) * _e724) + (_e742 - _e502)));
                                     if (_e962 == 0u) {
-                                        phi_1094_ = _e809.unnamed_1.root;
+                                        phi_1094_ = _e809.unnamed_1.word;
                                     } else {
-                                        phi_1094_ = _e809.unnamed_1.first_primitive;
+                                        phi_1094_ = _e809.unnamed_1.shift;
                                     }
                                     let _e1001 = phi_1094_;
                                     if (_e962 == 0u) {
-                                        phi_1104_ = _e878.unnamed_1.root;
+                                        phi_1104_ = _e878.unnamed_1.word;
                                     } else {
-                                        phi_1104_ = _e878.unnamed_1.first_primitive;
+                                        phi_1104_ = _e878.unnamed_1.shift;
                                     }
                                     let _e1010 = phi_1104_;
                                     if (_e962 == 0u) {
-                                        phi_1114_ = _e947.unnamed_1.root;
+                                        phi_1114_ = _e947.unnamed_1.word;
                                     } else {
-                                        phi_1114_ = _e947.unnamed_1.first_primitive;
+                                        phi_1114_ = _e947.unnamed_1.shift;
                                     }
                                     let _e1019 = phi_1114_;
                                     let _e1032 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1001 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u)) * _e722) + (_e740 + _e500)), ((f32(((_e1010 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u)) * _e723) + (_e741 + _e501)));
@@ -2345,11 +2346,11 @@ fn function_() {
             phi_2415_ = vec3<f32>(1f, 1f, 1f);
         }
         let _e2185 = phi_2415_;
-        if (_e110.first_primitive < arrayLength((&tints.member))) {
+        if (_e110.shift < arrayLength((&tints.member))) {
         } else {
             return;
         }
-        tints.member[(0u + _e110.first_primitive)] = vec4<f32>(_e2185.x, _e2185.y, _e2185.z, 1f);
+        tints.member[(0u + _e110.shift)] = vec4<f32>(_e2185.x, _e2185.y, _e2185.z, 1f);
     }
     return;
 }

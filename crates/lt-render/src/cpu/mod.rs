@@ -25,20 +25,22 @@ use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
 use lt_irregular::LightBvh;
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Vsm};
-use lt_shaders::abi::{CameraParams, FilterParams, Sample, ShadeParams};
+use lt_shaders::abi::{CameraParams, FilterParams, Sample};
 use lt_shaders::camera::{
     ColorSource, ColorTextures, NoColorTextures, previous_position, primary_ray, sample_at_hit,
 };
 use lt_shaders::evaluate::settle;
 use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
-use lt_shaders::shade::shade;
+use lt_shaders::shade::{light_on, shade};
 use rayon::prelude::*;
 use shadow::PixelMs;
 use tiles::{BLOCK, Tiles};
 
 use crate::packed::Trees;
-use crate::{Backend, EffectPlan, Frame, FrameJob, MapTest, PackedScene, Pass, PassKind, RenderError};
+use crate::{
+    Backend, EffectPlan, Frame, FrameJob, MapTest, PackedScene, Pass, PassKind, RenderError, ShadedLight,
+};
 
 pub use batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
 
@@ -171,6 +173,9 @@ impl Backend for CpuBackend {
         slot.rows.resize(vector_texels, Vec4::ZERO);
         slot.vectors.resize(vector_texels, Vec4::ZERO);
         slot.history.begin(self.tiles, job.plan.mask);
+        if job.clears_history() {
+            slot.history.clear();
+        }
         self.tint.resize(if job.plan.tint { self.tiles.len() } else { 0 }, Vec3::ONE);
         self.rays = 0;
         self.passes.clear();
@@ -250,24 +255,25 @@ impl Backend for CpuBackend {
             map_bytes: bytes as u64,
             mask: job.plan.mask.map_or(Vec::new(), |_| slot.history.rows(self.tiles)),
             map_draws: job.map_draws(),
+            lights: Vec::new(),
         })
     }
 
-    fn shade(
-        &mut self,
-        visibility: &[f32],
-        tint: &[Vec3],
-        params: &ShadeParams,
-    ) -> Result<Vec<[u8; 4]>, RenderError> {
+    fn shade(&mut self, lights: &[ShadedLight<'_>]) -> Result<Vec<[u8; 4]>, RenderError> {
         let (size, tiles) = (self.tiles.size(), self.tiles);
+        let Some(first) = lights.first() else { return Ok(Vec::new()) };
         let mut picture = vec![0u32; tiles.len()];
         picture.par_chunks_mut(BLOCK).zip(self.samples.par_chunks(BLOCK)).enumerate().for_each(
             |(block, (out, samples))| {
                 for (i, (word, sample)) in out.iter_mut().zip(samples).enumerate() {
                     if let Some(px) = tiles.pixel(block, i) {
                         let at = (px.y * size.x + px.x) as usize;
-                        let reaching = tint.get(at).map_or(Vec3::ONE, |t| *t) * visibility[at];
-                        *word = shade(px, sample, reaching, params);
+                        let given = |l: &ShadedLight<'_>| {
+                            let reaching = l.tint.get(at).map_or(Vec3::ONE, |t| *t) * l.visibility[at];
+                            light_on(sample, reaching, &l.params)
+                        };
+                        let light = lights.iter().fold(Vec3::ZERO, |sum, l| sum + given(l));
+                        *word = shade(px, sample, light, &first.params);
                     }
                 }
             },
